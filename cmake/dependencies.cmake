@@ -1,0 +1,11 @@
+# Everything facet is built from, all in Debian 12's packages (cmake/bootstrap.sh installs them).
+find_package(Threads REQUIRED)
+find_package(Vulkan REQUIRED)
+find_package(glm REQUIRED)
+find_package(OpenEXR 3 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(fmt REQUIRED)

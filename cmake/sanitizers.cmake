@@ -1,0 +1,6 @@
+# FACET_SANITIZE: comma-separated, as for -fsanitize (address,undefined).
+set(FACET_SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize")
+if(FACET_SANITIZE)
+  add_compile_options(-fsanitize=${FACET_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${FACET_SANITIZE})
+endif()

@@ -1,0 +1,229 @@
+#include "accel/binary_bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+
+#include "core/parallel.h"
+
+namespace facet {
+
+namespace {
+
+constexpr std::size_t bin_count = 16;
+/// Depth from which nodes are halved by count, so that no input makes a tree too deep for the kernels' stack.
+constexpr int median_depth = 40;
+/// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
+constexpr std::size_t parallel_size = 1U << 16U;
+/// Cost of visiting a node, in triangle tests.
+constexpr float node_cost = 1.0F;
+
+struct Bin {
+  Box box;
+  std::uint32_t count = 0;
+
+  void add(const Bin& b) {
+    box.add(b.box);
+    count += b.count;
+  }
+};
+
+using Bins = std::array<std::array<Bin, bin_count>, 3>;
+
+struct Bounds {
+  Box box;
+  Box centres;  ///< of twice the centres
+
+  void add(const BvhPrimitive& p) {
+    box.add(p.box);
+    centres.add(p.centre2());
+  }
+  void add(const Bounds& b) {
+    box.add(b.box);
+    centres.add(b.centres);
+  }
+};
+
+/// Folds ranges of the primitives into one result; in parallel where there are many. The result does not depend on the
+/// order of folding, since it only takes minima, maxima and sums of integers.
+template <typename Result, typename Fold>
+Result fold(std::span<const BvhPrimitive> primitives, const Result& empty, const Fold& fold_range) {
+  Result total = empty;
+  std::mutex mutex;
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    Result part = empty;
+    fold_range(part, primitives.subspan(begin, end - begin));
+    const std::scoped_lock lock(mutex);
+    total.add(part);
+  };
+  if (primitives.size() > parallel_size) {
+    parallel_for(primitives.size(), parallel_size / 4, body);
+  } else {
+    fold_range(total, primitives);
+  }
+  return total;
+}
+
+/// Which bin a centre falls into along each axis.
+struct BinScale {
+  vec3 origin;
+  vec3 scale;  ///< 0 along axes without extent
+
+  explicit BinScale(const Box& centres) : origin(centres.lower), scale(0) {
+    const vec3 extent = centres.extent();
+    for (int a = 0; a < 3; ++a) {
+      const float s = static_cast<float>(bin_count) * 0.9999F / extent[a];
+      if (extent[a] > 0 && std::isfinite(s)) scale[a] = s;
+    }
+  }
+  [[nodiscard]] std::size_t bin(const vec3& centre2, int axis) const {
+    return std::min(bin_count - 1, static_cast<std::size_t>((centre2[axis] - origin[axis]) * scale[axis]));
+  }
+};
+
+struct BinSet {
+  Bins bins;
+  void add(const BinSet& b) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t i = 0; i < bin_count; ++i) bins[a][i].add(b.bins[a][i]);
+    }
+  }
+};
+
+struct Split {
+  int axis = -1;  ///< -1: none found
+  std::size_t bin = 0;  ///< first bin of the right side
+  float cost = std::numeric_limits<float>::infinity();  ///< sum over both sides of half area x count
+};
+
+Split best_split_along(const std::array<Bin, bin_count>& bins, int axis) {
+  std::array<float, bin_count> right_cost{};
+  Bin right;
+  for (std::size_t i = bin_count - 1; i > 0; --i) {
+    right.add(bins[i]);
+    right_cost[i] = right.box.half_area() * static_cast<float>(right.count);
+    if (right.count == 0) right_cost[i] = std::numeric_limits<float>::infinity();
+  }
+  Split best;
+  Bin left;
+  for (std::size_t i = 1; i < bin_count; ++i) {
+    left.add(bins[i - 1]);
+    if (left.count == 0) continue;
+    const float cost = left.box.half_area() * static_cast<float>(left.count) + right_cost[i];
+    if (cost < best.cost) best = {axis, i, cost};
+  }
+  return best;
+}
+
+class Builder {
+ public:
+  explicit Builder(std::span<BvhPrimitive> primitives) : primitives_(primitives) {}
+
+  /// A node over [first, first + count), appended to `nodes` after its ancestors; returns its index there.
+  std::uint32_t build(std::vector<BinaryNode>& nodes, std::uint32_t first, std::uint32_t count, int depth) {
+    const auto at = static_cast<std::uint32_t>(nodes.size());
+    nodes.emplace_back();
+    const std::uint32_t middle = split(nodes[at], first, count, depth);
+    if (middle == first) return at;
+    if (count > parallel_size) {
+      build_both_in_parallel(nodes, at, first, middle, count, depth);
+    } else {
+      const std::uint32_t left = build(nodes, first, middle - first, depth + 1);
+      const std::uint32_t right = build(nodes, middle, first + count - middle, depth + 1);
+      nodes[at].left = left;
+      nodes[at].right = right;
+    }
+    return at;
+  }
+
+ private:
+  /// Fills the node's box and either makes it a leaf (returns first) or partitions its primitives (returns the middle).
+  std::uint32_t split(BinaryNode& node, std::uint32_t first, std::uint32_t count, int depth) {
+    const std::span<BvhPrimitive> range = primitives_.subspan(first, count);
+    const Bounds bounds = fold(range, Bounds{}, [](Bounds& b, std::span<const BvhPrimitive> part) {
+      for (const BvhPrimitive& p : part) b.add(p);
+    });
+    node.box = bounds.box;
+    const auto make_leaf = [&] {
+      node.first = first;
+      node.count = count;
+      return first;
+    };
+    if (count == 1) return make_leaf();
+    const BinScale scale(bounds.centres);
+    const Split best = depth < median_depth ? find_split(range, scale) : Split{};
+    const float area = std::max(bounds.box.half_area(), std::numeric_limits<float>::min());
+    if (count <= leaf_size && !(node_cost + best.cost / area < static_cast<float>(count))) return make_leaf();
+    if (best.axis < 0) return split_by_count(range, bounds.centres, first);
+    const auto middle = std::partition(range.begin(), range.end(), [&](const BvhPrimitive& p) {
+      return scale.bin(p.centre2(), best.axis) < best.bin;
+    });
+    return first + static_cast<std::uint32_t>(middle - range.begin());
+  }
+
+  static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale) {
+    const BinSet set = fold(range, BinSet{}, [&](BinSet& b, std::span<const BvhPrimitive> part) {
+      for (const BvhPrimitive& p : part) {
+        const vec3 c = p.centre2();
+        for (int a = 0; a < 3; ++a) {
+          Bin& bin = b.bins[static_cast<std::size_t>(a)][scale.bin(c, a)];
+          bin.box.add(p.box);
+          ++bin.count;
+        }
+      }
+    });
+    Split best;
+    for (int a = 0; a < 3; ++a) {
+      const Split s = best_split_along(set.bins[static_cast<std::size_t>(a)], a);
+      if (s.cost < best.cost) best = s;
+    }
+    return best;
+  }
+
+  /// Halves by count along the widest axis of the centres; ties by index keep it deterministic.
+  static std::uint32_t split_by_count(std::span<BvhPrimitive> range, const Box& centres, std::uint32_t first) {
+    const vec3 extent = centres.extent();
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+    const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
+    std::nth_element(range.begin(), middle, range.end(), [axis](const BvhPrimitive& a, const BvhPrimitive& b) {
+      const float ca = a.centre2()[axis];
+      const float cb = b.centre2()[axis];
+      return ca != cb ? ca < cb : a.index < b.index;
+    });
+    return first + static_cast<std::uint32_t>(range.size() / 2);
+  }
+
+  /// The two sides as tasks of their own, appended in a fixed order.
+  void build_both_in_parallel(std::vector<BinaryNode>& nodes, std::uint32_t at, std::uint32_t first, std::uint32_t middle,
+                              std::uint32_t count, int depth) {
+    std::array<std::vector<BinaryNode>, 2> sides;
+    parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        build(sides[s], s == 0 ? first : middle, s == 0 ? middle - first : first + count - middle, depth + 1);
+      }
+    });
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto base = static_cast<std::uint32_t>(nodes.size());
+      (s == 0 ? nodes[at].left : nodes[at].right) = base;
+      for (BinaryNode n : sides[s]) {
+        n.left += base;
+        n.right += base;
+        nodes.push_back(n);
+      }
+      std::vector<BinaryNode>().swap(sides[s]);
+    }
+  }
+
+  std::span<BvhPrimitive> primitives_;
+};
+
+}  // namespace
+
+std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives) {
+  std::vector<BinaryNode> nodes;
+  nodes.reserve(primitives.size());
+  Builder(primitives).build(nodes, 0, static_cast<std::uint32_t>(primitives.size()), 0);
+  return nodes;
+}
+
+}  // namespace facet

@@ -1,0 +1,37 @@
+// facet devices: which Vulkan devices there are, what each lacks, which one is used and why.
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "core/text.h"
+#include "gpu/device.h"
+#include "gpu/requirements.h"
+
+namespace facet::cli {
+
+namespace {
+
+ExitCode list_devices() {
+  const gpu::Instance instance(false);
+  const std::vector<gpu::DeviceInfo> devices = instance.devices();
+  for (const gpu::DeviceInfo& d : devices) {
+    fmt::print("{}: {}\n", d.index, d.name);
+    fmt::print("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver, VK_API_VERSION_MAJOR(d.api_version),
+               VK_API_VERSION_MINOR(d.api_version), VK_API_VERSION_PATCH(d.api_version),
+               with_unit_prefix(static_cast<double>(d.memory_bytes)));
+    fmt::print("   {}\n", d.lacks.empty() ? "has everything facet needs" : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+  }
+  fmt::print("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
+  const gpu::DeviceInfo chosen = instance.choose("");
+  const char* why = devices.size() == 1 ? "the only device" : "the first of the best kind: discrete, then integrated, virtual, CPU";
+  fmt::print("used: {}: {} ({}; --device chooses another)\n", chosen.index, chosen.name, why);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("devices", "List the Vulkan devices, what each lacks, and which one is used and why");
+  command->callback([&action] { action = list_devices; });
+}
+
+}  // namespace facet::cli

@@ -1,0 +1,11 @@
+#pragma once
+// Ctrl-C ends a render early instead of killing it; a second one kills.
+
+namespace facet::cli {
+
+/// From now on SIGINT and SIGTERM set a flag.
+void catch_interrupts();
+
+[[nodiscard]] bool was_interrupted();
+
+}  // namespace facet::cli

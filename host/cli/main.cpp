@@ -1,0 +1,78 @@
+// facet: the command line.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands.h"
+#include "core/text.h"
+#include "version.h"
+
+namespace facet::cli {
+
+namespace {
+
+const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+
+/// Commands of the contract that are still to come.
+const std::vector<std::string> planned_commands{"compare", "test", "bench", "tradeoff", "parity", "extremes", "merge"};
+
+int fail(const std::string& message, ExitCode code) {
+  fmt::print(stderr, "facet: {}\n", message);
+  return static_cast<int>(code);
+}
+
+/// The message for a command line that cannot be parsed.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first.starts_with('-') || std::find(known.begin(), known.end(), first) != known.end()) {
+    return fmt::format("{}; \"facet --help\" lists what there is", error.what());
+  }
+  if (std::find(planned_commands.begin(), planned_commands.end(), first) != planned_commands.end()) {
+    return fmt::format("the command \"{}\" is not supported yet", first);
+  }
+  return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("facet: a path tracer in Vulkan compute shaders that proves its images right", "facet");
+  app.set_version_flag("--version", version_text(), "Version, compiler and the Vulkan version needed");
+  app.require_subcommand(1);
+  Action action;
+  add_render_command(app, action);
+  add_info_command(app, action);
+  add_devices_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(usage_message(app, error, argc, argv), ExitCode::bad_input);
+  }
+  return static_cast<int>(action());
+}
+
+}  // namespace
+
+double seconds_since_start() { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+std::string version_text() {
+  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER, VK_API_VERSION_MAJOR(FACET_VULKAN),
+                     VK_API_VERSION_MINOR(FACET_VULKAN));
+}
+
+}  // namespace facet::cli
+
+int main(int argc, char** argv) {
+  try {
+    return facet::cli::run(argc, argv);
+  } catch (const facet::Error& error) {
+    return facet::cli::fail(error.what(), error.code());
+  } catch (const std::bad_alloc&) {
+    return facet::cli::fail("out of memory", facet::ExitCode::bad_input);
+  } catch (const std::exception& error) {
+    return facet::cli::fail(error.what(), facet::ExitCode::device_failed);
+  }
+}

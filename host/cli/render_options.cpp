@@ -1,0 +1,145 @@
+#include "cli/render_options.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/text.h"
+#include "scene/reader.h"
+
+namespace facet::cli {
+
+namespace {
+
+/// Exactly `count` integers of at least 0, separated by a character.
+std::vector<long long> parse_integers(const std::string& text, char separator, std::size_t count, const std::string& option,
+                                      const std::string& form) {
+  std::vector<long long> numbers;
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t end = std::min(rest.find(separator), rest.size());
+    const auto number = parse_integer(rest.substr(0, end));
+    if (!number || *number < 0) break;
+    numbers.push_back(*number);
+    if (end == rest.size()) {
+      if (numbers.size() == count) return numbers;
+      break;
+    }
+    rest.remove_prefix(end + 1);
+  }
+  throw InputError(fmt::format("{} \"{}\": {} expected", option, text, form));
+}
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const IntegratorType& type : integrator_types()) names.emplace_back(type.name);
+  return names;
+}
+
+Crop parse_crop(const RenderOptions& options, const Camera& camera) {
+  if (options.crop && options.pixel) throw InputError("--crop and --pixel exclude each other");
+  std::vector<long long> v{0, 0, camera.width, camera.height};
+  if (options.crop) v = parse_integers(*options.crop, ',', 4, "--crop", "X0,Y0,X1,Y1");
+  if (options.pixel) {
+    v = parse_integers(*options.pixel, ',', 2, "--pixel", "X,Y");
+    v.push_back(v[0] + 1);
+    v.push_back(v[1] + 1);
+  }
+  if (v[0] >= v[2] || v[1] >= v[3] || v[2] > camera.width || v[3] > camera.height) {
+    throw InputError(fmt::format("{} lies outside the image of {}x{} pixels or is empty",
+                                 options.pixel ? "--pixel " + *options.pixel : "--crop " + *options.crop, camera.width, camera.height));
+  }
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
+}
+
+}  // namespace
+
+bool RenderOptions::wants_variance_channels() const { return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end(); }
+
+void add_render_options(CLI::App& command, RenderOptions& o) {
+  command.add_option("scene", o.scene, "Scene file (XML)")->required();
+  command.add_option("-o,--output", o.outputs, "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here");
+  command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
+  command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
+  command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
+  command.add_option("--max-depth", o.max_depth, "Surface interactions of a path, -1: unlimited")->check(CLI::Range(-1, 1 << 30));
+  command.add_option("--resolution", o.resolution, "Size of the image, WxH");
+  command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
+  command.add_option("--seed", o.seed, "Seed of the random numbers");
+  command.add_option("--sample-range", o.sample_range, "Render only the samples A:B of each pixel (B excluded)");
+  command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
+  command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
+  command.add_option("--sampling", o.sampling, "Half vectors of rough lobes: from the ndf, or visible from the viewer")
+      ->check(CLI::IsMember({"ndf", "visible"}))
+      ->capture_default_str();
+  command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
+  command.add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
+      ->check(CLI::IsMember({"uniform", "power"}));
+  command.add_option("--aov", o.aovs, "Further EXR channels: variance (of each pixel's mean)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"variance"}));
+  command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")->check(CLI::Range(-100.F, 100.F));
+  command.add_option("--json", o.json, "Write a report to this file, - for standard output");
+  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
+  command.add_flag("--strict", o.strict, "Warnings are errors");
+  command.add_flag("--validate", o.validate, "Turn the Vulkan validation layers on; any message of theirs fails the render");
+}
+
+void apply_to_scene(const RenderOptions& o, Scene& scene) {
+  if (o.integrator) {
+    const auto type = find_integrator_type(*o.integrator);
+    if (!type) {
+      throw InputError(fmt::format("--integrator \"{}\": unknown{}; there are: {}", *o.integrator,
+                                   did_you_mean(*o.integrator, integrator_names()), fmt::join(integrator_names(), ", ")));
+    }
+    scene.integrator.type = *type;
+  }
+  if (scene.integrator.type.name.empty()) {
+    throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator", o.scene));
+  }
+  if (o.sampler && *o.sampler != "independent") throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
+  if (o.max_depth) scene.integrator.max_depth = *o.max_depth;
+  if (!o.heuristic.empty()) scene.integrator.heuristic = o.heuristic == "power" ? Heuristic::power : Heuristic::balance;
+  if (!o.emitter_selection.empty()) {
+    scene.emitter_selection = o.emitter_selection == "uniform" ? EmitterSelection::uniform : EmitterSelection::power;
+  }
+  if (o.resolution) {
+    const auto size = parse_integers(*o.resolution, 'x', 2, "--resolution", "WxH");
+    check_image_size(size[0], size[1]);
+    scene.camera.width = static_cast<int>(size[0]);
+    scene.camera.height = static_cast<int>(size[1]);
+  }
+  if (o.spp) scene.sample_count = *o.spp;
+  if (o.seed) scene.seed = *o.seed;
+}
+
+RenderSettings make_settings(const RenderOptions& o, const Scene& scene) {
+  RenderSettings settings;
+  settings.crop = parse_crop(o, scene.camera);
+  settings.end_sample = static_cast<std::uint32_t>(scene.sample_count);
+  if (o.sample_range) {
+    const auto range = parse_integers(*o.sample_range, ':', 2, "--sample-range", "A:B");
+    if (range[0] >= range[1] || range[1] > (1LL << 30)) throw InputError(fmt::format("--sample-range {}: empty or too large", *o.sample_range));
+    settings.first_sample = static_cast<std::uint32_t>(range[0]);
+    settings.end_sample = static_cast<std::uint32_t>(range[1]);
+  }
+  settings.seed = scene.seed;
+  settings.sampling = o.sampling == "ndf" ? LobeSampling::ndf : LobeSampling::visible;
+  return settings;
+}
+
+std::vector<std::string> output_files(const RenderOptions& o) {
+  std::vector<std::string> files = o.outputs;
+  if (files.empty() && !o.pixel) {
+    const std::string stem = std::filesystem::path(o.scene).stem().string();
+    files = {stem + ".exr", stem + ".png"};
+  }
+  for (const std::string& file : files) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    if (extension != ".exr" && extension != ".png") {
+      throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png", file));
+    }
+  }
+  return files;
+}
+
+}  // namespace facet::cli

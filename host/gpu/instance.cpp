@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cctype>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "gpu/device.h"
+#include "gpu/requirements.h"
+
+namespace facet::gpu {
+
+namespace {
+
+constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* driver_hint =
+    "install a Vulkan driver: on Debian and Ubuntu the package mesa-vulkan-drivers holds those of AMD and Intel GPUs and lavapipe, "
+    "which needs no GPU";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+  static_cast<ValidationLog*>(log)->messages.emplace_back(data->pMessage);
+  return VK_FALSE;
+}
+
+vk::raii::Context make_context() {
+  try {
+    return {};
+  } catch (const std::exception&) {
+    throw DeviceError(std::string("no Vulkan loader (libvulkan.so.1): install the package libvulkan1; and ") + driver_hint);
+  }
+}
+
+bool has_layer(const vk::raii::Context& context, const char* name) {
+  const auto layers = context.enumerateInstanceLayerProperties();
+  return std::any_of(layers.begin(), layers.end(), [&](const auto& l) { return std::string_view(l.layerName) == name; });
+}
+
+bool has_extension(const vk::raii::Context& context, const char* name) {
+  const auto list = context.enumerateInstanceExtensionProperties();
+  return std::any_of(list.begin(), list.end(), [&](const auto& e) { return std::string_view(e.extensionName) == name; });
+}
+
+vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate) {
+  const vk::ApplicationInfo application("facet", 1, "facet", 1, minimum_vulkan_version);
+  std::vector<const char*> layers;
+  std::vector<const char*> extensions;
+  vk::InstanceCreateFlags flags;
+  if (validate) {
+    if (!has_layer(context, validation_layer)) {
+      throw DeviceError("no validation layers: install the package vulkan-validationlayers");
+    }
+    layers.push_back(validation_layer);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  }
+  // Drivers that translate to another API are listed only on request.
+  if (has_extension(context, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+    extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+  }
+  try {
+    return {context, vk::InstanceCreateInfo(flags, &application, layers, extensions)};
+  } catch (const vk::SystemError& e) {
+    throw DeviceError(fmt::format("no usable Vulkan driver ({}): {}", e.what(), driver_hint));
+  }
+}
+
+vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance, bool validate, ValidationLog* log) {
+  if (!validate) return nullptr;
+  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+  const vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError,
+                                                  Type::eValidation | Type::ePerformance, &on_message, log);
+  return {instance, info};
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+Instance::Instance(bool validate)
+    : validation_(std::make_unique<ValidationLog>()),
+      context_(make_context()),
+      instance_(make_instance(context_, validate)),
+      messenger_(make_messenger(instance_, validate, validation_.get())) {}
+
+Instance::~Instance() = default;
+
+std::vector<DeviceInfo> Instance::devices() const {
+  std::vector<DeviceInfo> list;
+  const vk::raii::PhysicalDevices physical(instance_);
+  for (const vk::raii::PhysicalDevice& device : physical) {
+    list.push_back(describe_device(device, static_cast<std::uint32_t>(list.size())));
+  }
+  return list;
+}
+
+DeviceInfo Instance::choose(const std::string& selector) const {
+  const std::vector<DeviceInfo> list = devices();
+  if (list.empty()) throw DeviceError(std::string("no Vulkan device: ") + driver_hint);
+  const auto index = parse_integer(selector);
+  const DeviceInfo* best = nullptr;
+  for (const DeviceInfo& device : list) {
+    const bool named = lower_case(device.name).find(lower_case(selector)) != std::string::npos;
+    const bool selected = selector.empty() || (index ? *index == device.index : named);
+    if (!selected) continue;
+    if (best == nullptr || best->rank < device.rank) best = &device;
+  }
+  if (best == nullptr) {
+    throw DeviceError(fmt::format("no Vulkan device is \"{}\"; \"facet devices\" lists the {} there are", selector, list.size()));
+  }
+  if (!best->lacks.empty()) {
+    throw DeviceError(fmt::format("{} lacks {}; {}", best->name, fmt::join(best->lacks, ", "), driver_hint));
+  }
+  return *best;
+}
+
+vk::raii::PhysicalDevice Instance::physical_device(const DeviceInfo& info) const {
+  vk::raii::PhysicalDevices physical(instance_);
+  return std::move(physical[info.index]);
+}
+
+}  // namespace facet::gpu

@@ -1,0 +1,24 @@
+#pragma once
+// A file that appears under its name only when it is whole.
+#include <filesystem>
+
+namespace facet {
+
+/// Hands out a temporary path beside the target; commit() renames it, the destructor removes what was not committed.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& temporary() const noexcept { return temporary_; }
+  /// Throws InputError where the file cannot take the target's name.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+};
+
+}  // namespace facet

@@ -1,0 +1,23 @@
+#pragma once
+// Image files. Writers write to a temporary name beside the target and rename it: a failed write never destroys the file
+// that was there.
+#include <filesystem>
+
+#include "image/image.h"
+
+namespace facet {
+
+/// Reads all channels of a scan-line or tiled EXR as floats, and the text attributes of its header.
+/// Throws InputError where the file is missing, unreadable or damaged.
+[[nodiscard]] Image read_exr(const std::filesystem::path& path);
+
+/// Writes 32-bit float channels, ZIP-compressed, with the image's metadata as text attributes.
+void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before encoding.
+void write_png(const std::filesystem::path& path, const Image& image, float exposure);
+
+/// Throws InputError unless a file can be written at path; leaves nothing behind and changes nothing.
+void check_writable(const std::filesystem::path& path);
+
+}  // namespace facet

@@ -1,0 +1,90 @@
+#include "render/features.h"
+
+#include <algorithm>
+
+#include "shared/emitter_list.h"
+
+namespace facet {
+
+namespace {
+
+/// First interaction at which the path kernel plays roulette (docs/sampling.md).
+constexpr int roulette_first = 4;
+
+const std::vector<std::string>& bsdf_names() {
+#define FACET_NAME(name, Type, id) #name,
+  static const std::vector<std::string> names{FACET_BSDF_LIST(FACET_NAME)};
+#undef FACET_NAME
+  return names;
+}
+
+const std::vector<std::string>& emitter_names() {
+#define FACET_NAME(name, id) #name,
+  static const std::vector<std::string> names{FACET_EMITTER_LIST(FACET_NAME)};
+#undef FACET_NAME
+  return names;
+}
+
+}  // namespace
+
+Features find_features(const Scene& scene, const RenderSettings& settings) {
+  Features f;
+  for (const Bsdf& bsdf : scene.bsdfs) f.bsdf_mask |= 1U << bsdf.index();
+  for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
+  f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return !m.normal_indices.empty(); });
+  f.integrator = scene.integrator;
+  const int limit = scene.integrator.interaction_limit();
+  f.roulette = limit < 0 || limit >= roulette_first;
+  f.variance = settings.variance;
+  f.visible_normals = settings.sampling == LobeSampling::visible;
+  // Without a single emitter there is nothing to sample.
+  if (scene.emitters.empty()) f.integrator.type.emitter_sampling = false;
+  return f;
+}
+
+std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t stack_size) const {
+  std::array<std::uint32_t, shared::SPEC_COUNT> c{};
+  c[shared::SPEC_STACK_SIZE] = stack_size;
+  c[shared::SPEC_BSDF_MASK] = bsdf_mask;
+  c[shared::SPEC_EMITTER_MASK] = emitter_mask;
+  c[shared::SPEC_SHADING_NORMALS] = shading_normals ? 1 : 0;
+  c[shared::SPEC_INTEGRATOR] = static_cast<std::uint32_t>(integrator.type.kernel);
+  c[shared::SPEC_EMITTER_SAMPLING] = integrator.type.emitter_sampling ? 1 : 0;
+  c[shared::SPEC_MATERIAL_SAMPLING] = integrator.type.material_sampling ? 1 : 0;
+  c[shared::SPEC_VISIBLE_NORMALS] = visible_normals ? 1 : 0;
+  c[shared::SPEC_POWER_HEURISTIC] = integrator.heuristic == Heuristic::power ? 1 : 0;
+  c[shared::SPEC_ROULETTE] = roulette ? 1 : 0;
+  c[shared::SPEC_VARIANCE] = variance ? 1 : 0;
+  return c;
+}
+
+std::vector<std::string> Features::names() const {
+  std::vector<std::string> list{std::string("integrator ") + std::string(integrator.type.name)};
+  if (integrator.needs_emitters()) {
+    for (std::size_t i = 0; i < bsdf_names().size(); ++i) {
+      if ((bsdf_mask >> i & 1U) != 0) list.push_back("bsdf " + bsdf_names()[i]);
+    }
+    for (std::size_t i = 0; i < emitter_names().size(); ++i) {
+      if ((emitter_mask >> i & 1U) != 0) list.push_back("emitter " + emitter_names()[i]);
+    }
+    const bool rough = (bsdf_mask & ~1U) != 0;
+    if (rough) list.emplace_back(visible_normals ? "visible-normal sampling" : "ndf sampling");
+    if (integrator.type.emitter_sampling && integrator.type.material_sampling) {
+      list.emplace_back(integrator.heuristic == Heuristic::power ? "power heuristic" : "balance heuristic");
+    }
+    if (roulette) list.emplace_back("roulette");
+  }
+  if (shading_normals) list.emplace_back("vertex normals");
+  if (variance) list.emplace_back("variance");
+  return list;
+}
+
+std::uint32_t Features::bounce_limit() const {
+  if (!integrator.needs_emitters()) return 1;
+  const int limit = integrator.interaction_limit();
+  if (limit < 0) return 0;
+  // After the last interaction a ray looks for emission, unless emitters are sampled alone.
+  return static_cast<std::uint32_t>(std::max(1, limit + (integrator.type.material_sampling ? 1 : 0)));
+}
+
+}  // namespace facet

@@ -1,0 +1,32 @@
+#pragma once
+// What a scene has: the kernels are specialised to it, and nothing else is compiled, uploaded or allocated.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/settings.h"
+#include "scene/scene.h"
+#include "shared/bindings.h"
+
+namespace facet {
+
+struct Features {
+  std::uint32_t bsdf_mask = 0;     ///< bit id of the shared list
+  std::uint32_t emitter_mask = 0;  ///< likewise
+  bool shading_normals = false;
+  bool roulette = false;
+  bool variance = false;
+  bool visible_normals = true;
+  Integrator integrator;
+
+  /// Values of the specialization constants.
+  [[nodiscard]] std::array<std::uint32_t, shared::SPEC_COUNT> constants(std::uint32_t stack_size) const;
+  /// In words, for `facet info` and reports.
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// Bounces (rays one after another along a path) at most; 0: unlimited.
+  [[nodiscard]] std::uint32_t bounce_limit() const;
+};
+
+[[nodiscard]] Features find_features(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace facet

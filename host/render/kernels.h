@@ -1,0 +1,19 @@
+#pragma once
+// The compiled kernels, embedded by the build.
+#include <cstdint>
+#include <span>
+
+namespace facet {
+
+enum class Kernel { generate, extend, shade, shadow, schedule, film };
+inline constexpr int kernel_count = 6;
+
+/// How geometry is fetched: the kernels' one build variant.
+enum class GeometryFetch { texel_buffer, storage_buffer };
+
+/// SPIR-V words.
+[[nodiscard]] std::span<const std::uint32_t> kernel_code(Kernel kernel, GeometryFetch fetch);
+
+[[nodiscard]] const char* kernel_name(Kernel kernel);
+
+}  // namespace facet

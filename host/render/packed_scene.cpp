@@ -1,0 +1,181 @@
+#include "render/packed_scene.h"
+
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel.h"
+#include "render/choice.h"
+
+namespace facet {
+
+namespace {
+
+/// A triangle of the scene before it has its place in the BVH.
+struct SourceTriangle {
+  std::uint32_t mesh;
+  std::uint32_t index;  ///< within the mesh
+  std::uint32_t id;     ///< within the scene
+};
+
+TriangleCorners corners_of(const Mesh& mesh, std::size_t i) {
+  const uvec3& p = mesh.position_indices[i];
+  return {mesh.positions[p.x], mesh.positions[p.y], mesh.positions[p.z]};
+}
+
+/// Area in m^2.
+double area_of(const TriangleCorners& c) {
+  const dvec3 e1 = dvec3(c[1]) - dvec3(c[0]);
+  const dvec3 e2 = dvec3(c[2]) - dvec3(c[0]);
+  return 0.5 * glm::length(glm::cross(e1, e2));
+}
+
+glm::uvec4 position_record(const vec3& p, std::uint32_t w) {
+  return {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z), w};
+}
+
+class Packer {
+ public:
+  explicit Packer(const Scene& scene) : scene_(scene) {}
+
+  PackedScene pack() {
+    gather_triangles();
+    const auto start = std::chrono::steady_clock::now();
+    packed_.bvh = build_bvh(corners_);
+    packed_.bvh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    pack_normals();
+    pack_triangles();
+    for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));
+    for (const Mesh& mesh : scene_.meshes) packed_.meshes.push_back({mesh.bsdf, mesh.emitter, 0, 0});
+    pack_emitters();
+    packed_.filter = make_filter_table(scene_.camera.filter);
+    pack_camera();
+    return std::move(packed_);
+  }
+
+ private:
+  void gather_triangles() {
+    std::uint32_t id = 0;
+    for (std::uint32_t m = 0; m < scene_.meshes.size(); ++m) {
+      const Mesh& mesh = scene_.meshes[m];
+      for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i, ++id) {
+        const TriangleCorners corners = corners_of(mesh, i);
+        // A triangle without area cannot be hit, and would only make normals that do not exist.
+        if (!(area_of(corners) > 0)) continue;
+        sources_.push_back({m, i, id});
+        corners_.push_back(corners);
+      }
+    }
+  }
+
+  void pack_normals() {
+    for (const Mesh& mesh : scene_.meshes) {
+      first_normal_.push_back(static_cast<std::uint32_t>(packed_.normals.size()));
+      if (!mesh.normal_indices.empty()) packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    }
+  }
+
+  /// Index of the triangle's vertex normals, none without.
+  std::uint32_t add_normal_indices(const SourceTriangle& source) {
+    const Mesh& mesh = scene_.meshes[source.mesh];
+    if (mesh.normal_indices.empty() || mesh.normal_indices[source.index].x == none) return none;
+    const uvec3 n = mesh.normal_indices[source.index] + first_normal_[source.mesh];
+    packed_.normal_indices.emplace_back(n, 0);
+    return static_cast<std::uint32_t>(packed_.normal_indices.size() - 1);
+  }
+
+  void pack_triangles() {
+    packed_.triangles.reserve(sources_.size());
+    place_.resize(sources_.size());
+    for (const std::uint32_t s : packed_.bvh.order) {
+      const SourceTriangle& source = sources_[s];
+      const TriangleCorners& c = corners_[s];
+      place_[s] = static_cast<std::uint32_t>(packed_.triangles.size());
+      packed_.triangles.push_back({position_record(c[0], source.mesh), position_record(c[1], source.id),
+                                   position_record(c[2], add_normal_indices(source))});
+    }
+  }
+
+  /// Triangles of each area emitter with their cumulative counts; returns the emitter's area.
+  double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
+    record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
+    std::vector<double> areas;
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+      if (sources_[s].mesh != mesh) continue;
+      areas.push_back(area_of(corners_[s]));
+      packed_.emitter_triangles.push_back({0, place_[s]});
+    }
+    const std::vector<std::uint32_t> counts = cumulative_counts(areas);
+    for (std::size_t i = 0; i < counts.size(); ++i) packed_.emitter_triangles[record.first_triangle + i].cumulative = counts[i];
+    record.triangle_count = static_cast<std::uint32_t>(counts.size());
+    double total = 0;
+    for (const double area : areas) total += area;
+    return total;
+  }
+
+  /// Returns the weight with which the emitter is chosen under power selection: its power in W.
+  double pack_area_emitter(const AreaEmitter& e, shared::EmitterRecord& record) {
+    const double area = pack_emitter_triangles(e.mesh, record);
+    record.radiance = glm::vec4(e.radiance, static_cast<float>(area));
+    return std::numbers::pi * area * luminance(e.radiance);
+  }
+
+  double pack_environment(const EnvironmentEmitter& e) {
+    packed_.environment = make_environment_table(e);
+    packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
+    packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
+    const double radius = packed_.triangles.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
+    return 4 * std::numbers::pi * std::numbers::pi * radius * radius * packed_.environment.mean_luminance;
+  }
+
+  void pack_emitters() {
+    std::vector<double> weights;
+    for (const Emitter& emitter : scene_.emitters) {
+      shared::EmitterRecord record{};
+      record.type = static_cast<std::uint32_t>(emitter.index());
+      const auto* area = std::get_if<AreaEmitter>(&emitter);
+      double weight = area != nullptr ? pack_area_emitter(*area, record) : pack_environment(std::get<EnvironmentEmitter>(emitter));
+      if (scene_.emitter_selection == EmitterSelection::uniform && weight > 0) weight = 1;
+      weights.push_back(weight);
+      packed_.emitters.push_back(record);
+    }
+    const std::vector<std::uint32_t> counts = cumulative_counts(weights);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      packed_.emitters[i].cumulative = counts[i];
+      packed_.emitters[i].probability = static_cast<float>(choice_probability(counts, i));
+    }
+    packed_.frame.emitter_count = static_cast<std::uint32_t>(packed_.emitters.size());
+    packed_.frame.environment_emitter = scene_.environment();
+  }
+
+  void pack_camera() {
+    const Camera& c = scene_.camera;
+    const glm::dmat3 linear(c.to_world);
+    const double tangent = std::tan(glm::radians(c.fov) / 2);
+    const double aspect = static_cast<double>(c.width) / c.height;
+    shared::FrameRecord& f = packed_.frame;
+    f.camera_origin = glm::vec4(vec3(dvec3(c.to_world[3])), c.near_clip);
+    f.camera_corner = glm::vec4(vec3(linear * dvec3(tangent, tangent / aspect, 1)), c.far_clip);
+    f.camera_dx = glm::vec4(vec3(linear[0] * (-2 * tangent / c.width)), 0);
+    f.camera_dy = glm::vec4(vec3(linear[1] * (-2 * tangent / aspect / c.height)), 0);
+    f.width = static_cast<std::uint32_t>(c.width);
+    f.height = static_cast<std::uint32_t>(c.height);
+    f.filter_intervals = packed_.filter.intervals();
+    f.filter_crossing = packed_.filter.crossing;
+    f.filter_scale = packed_.filter.scale;
+  }
+
+  const Scene& scene_;
+  PackedScene packed_;
+  std::vector<SourceTriangle> sources_;
+  std::vector<TriangleCorners> corners_;
+  std::vector<std::uint32_t> place_;  ///< of a source triangle in the BVH's order
+  std::vector<std::uint32_t> first_normal_;
+};
+
+}  // namespace
+
+PackedScene pack_scene(const Scene& scene) { return Packer(scene).pack(); }
+
+}  // namespace facet

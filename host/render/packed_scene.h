@@ -1,0 +1,29 @@
+#pragma once
+// A scene as the kernels read it: arrays of the shared records.
+#include <vector>
+
+#include "accel/bvh.h"
+#include "render/environment_table.h"
+#include "render/filter_table.h"
+#include "scene/scene.h"
+
+namespace facet {
+
+struct PackedScene {
+  Bvh bvh;
+  std::vector<shared::TriangleRecord> triangles;  ///< in the BVH's order; triangles without area are left out
+  std::vector<glm::uvec4> normal_indices;
+  std::vector<vec3> normals;
+  std::vector<shared::MeshRecord> meshes;
+  std::vector<shared::BsdfRecord> bsdfs;
+  std::vector<shared::EmitterRecord> emitters;
+  std::vector<shared::EmitterTriangle> emitter_triangles;
+  EnvironmentTable environment;
+  FilterTable filter;
+  shared::FrameRecord frame{};  ///< camera and emitters; crop, seed and depth are the renderer's
+  double bvh_seconds = 0;
+};
+
+[[nodiscard]] PackedScene pack_scene(const Scene& scene);
+
+}  // namespace facet

@@ -1,0 +1,154 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "render/resources.h"
+
+namespace facet {
+
+namespace {
+
+/// Bounces recorded at a time where their number is not known beforehand.
+constexpr std::uint32_t bounces_per_submission = 8;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land far apart.
+std::uint32_t permutation_stride(std::uint32_t runs) {
+  auto stride = static_cast<std::uint32_t>(0.6180339887 * runs) | 1U;
+  while (std::gcd(stride, std::max(runs, 1U)) != 1) stride += 2;
+  return stride;
+}
+
+}  // namespace
+
+/// One pass: samples of pixels of one piece of the film.
+struct Renderer::Wave {
+  std::size_t film_piece = 0;
+  shared::PassConstants constants{};
+};
+
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings)
+    : device_(device), settings_(settings), features_(features) {
+  const auto start = std::chrono::steady_clock::now();
+  resources_ = std::make_unique<Resources>(device, packed, features, settings);
+  warm_up();
+  statistics_.compile_seconds = seconds_since(start);
+  statistics_.device_bytes = device.reserved_bytes();
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::warm_up() {
+  // Drivers compile at a kernel's first dispatch. A pass of no samples does that outside the timed render.
+  device_.run([&](const vk::raii::CommandBuffer& c) {
+    shared::PassConstants none_at_all{};
+    none_at_all.pixel_count = 1;
+    resources_->bind(c, 0);
+    c.fillBuffer(resources_->counters(), 0, VK_WHOLE_SIZE, 0);
+    gpu::barrier(c);
+    for (int k = 0; k < kernel_count; ++k) {
+      resources_->dispatch(c, static_cast<Kernel>(k), none_at_all, 1);
+      gpu::barrier(c);
+    }
+  });
+}
+
+void Renderer::run_wave(const Wave& wave) {
+  Resources& r = *resources_;
+  shared::PassConstants constants = wave.constants;
+  const std::uint32_t slots = constants.pixel_count * constants.sample_count;
+  const std::uint32_t limit = features_.bounce_limit();
+  std::uint32_t bounce = 0;
+  bool more = true;
+  while (more) {
+    const std::uint32_t end = limit == 0 ? bounce + bounces_per_submission : std::min(limit, bounce + bounces_per_submission);
+    device_.run([&](const vk::raii::CommandBuffer& c) {
+      r.bind(c, wave.film_piece);
+      if (bounce == 0) {
+        r.clear_counters(c, slots);
+        r.dispatch(c, Kernel::generate, constants, (slots + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
+        gpu::barrier(c);
+      }
+      for (; bounce < end; ++bounce) {
+        constants.bounce = bounce;
+        constants.queue = bounce % 2;
+        r.record_bounce(c, constants);
+      }
+    });
+    more = bounce != limit && r.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
+  }
+  device_.run([&](const vk::raii::CommandBuffer& c) {
+    r.bind(c, wave.film_piece);
+    r.dispatch(c, Kernel::film, constants, (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
+    gpu::barrier(c);
+  });
+  const auto counters = r.read_counters();
+  statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
+  statistics_.any_rays += counters[shared::COUNTER_ANY_RAYS];
+  statistics_.bound_hits += counters[shared::COUNTER_BOUND_HITS];
+  statistics_.bad_samples += counters[shared::COUNTER_BAD_SAMPLES];
+  statistics_.samples += slots;
+}
+
+void Renderer::render(const ProgressCallback& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const Resources& r = *resources_;
+  const std::uint64_t total = std::uint64_t{r.pixel_count()} * (settings_.end_sample - settings_.first_sample);
+  std::uint32_t batch = 1;
+  for (std::uint32_t sample = settings_.first_sample; sample < settings_.end_sample;) {
+    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as there are slots.
+    const std::uint32_t done = sample - settings_.first_sample;
+    batch = std::min(std::max(done, 1U), settings_.end_sample - sample);
+    for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
+      for (const auto& [first, count] : r.pixel_ranges(piece)) {
+        const std::uint32_t per_wave = std::max(1U, r.slot_count() / count);
+        for (std::uint32_t k = 0; k < batch; k += per_wave) {
+          Wave wave;
+          wave.film_piece = piece;
+          wave.constants.first_pixel = first;
+          wave.constants.pixel_count = count;
+          wave.constants.first_sample = sample + k;
+          wave.constants.sample_count = std::min(per_wave, batch - k);
+          wave.constants.stride = permutation_stride(count / shared::WORKGROUP_SIZE);
+          wave.constants.film_first = r.film_pieces()[piece].first_pixel;
+          run_wave(wave);
+          statistics_.render_seconds = seconds_since(start);
+          if (!progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_)) return;
+        }
+      }
+    }
+    sample += batch;
+  }
+}
+
+FilmData Renderer::film() const { return resources_->read_film(); }
+
+std::vector<shared::RayRecord> Renderer::camera_rays() {
+  Resources& r = *resources_;
+  shared::PassConstants constants{};
+  constants.pixel_count = std::min(r.slot_count(), r.pixel_count());
+  constants.sample_count = 1;
+  constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
+  const std::uint32_t groups = (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
+  device_.run([&](const vk::raii::CommandBuffer& c) {
+    r.bind(c, 0);
+    r.clear_counters(c, constants.pixel_count);
+    r.dispatch(c, Kernel::generate, constants, groups);
+    gpu::barrier(c);
+    r.dispatch(c, Kernel::extend, constants, groups);
+    gpu::barrier(c);
+  });
+  return r.read_rays(constants.pixel_count);
+}
+
+std::vector<shared::HitRecord> Renderer::camera_hits() {
+  const std::size_t count = camera_rays().size();
+  return resources_->read_hits(static_cast<std::uint32_t>(count));
+}
+
+}  // namespace facet

@@ -1,0 +1,62 @@
+#pragma once
+// Renders a scene on a device: wavefront path tracing in bounded passes.
+#include <functional>
+#include <memory>
+
+#include "gpu/device.h"
+#include "render/features.h"
+#include "render/film.h"
+#include "render/packed_scene.h"
+
+namespace facet {
+
+struct RenderStatistics {
+  std::uint64_t closest_rays = 0;
+  std::uint64_t any_rays = 0;
+  std::uint64_t samples = 0;      ///< finished, over all pixels
+  std::uint64_t bad_samples = 0;  ///< dropped: NaN, infinite or negative
+  std::uint64_t bound_hits = 0;   ///< traversals stopped by their bound
+  double compile_seconds = 0;     ///< of the kernels, by us and by the driver
+  double render_seconds = 0;
+  std::uint64_t device_bytes = 0;
+};
+
+/// Called after each pass with the share of the work done; returns whether to go on.
+using ProgressCallback = std::function<bool(double done, const RenderStatistics& statistics)>;
+
+/// A scene on a device, ready to be rendered once.
+class Renderer {
+ public:
+  /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
+  Renderer(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Renders all samples, or as many as `progress` lets it.
+  void render(const ProgressCallback& progress);
+
+  [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
+  /// The film so far.
+  [[nodiscard]] FilmData film() const;
+
+  /// What the camera's rays of sample 0 hit, one record a pixel of the crop; for tests of traversal.
+  [[nodiscard]] std::vector<shared::HitRecord> camera_hits();
+  /// The rays that camera_hits traces.
+  [[nodiscard]] std::vector<shared::RayRecord> camera_rays();
+
+ private:
+  struct Resources;
+  struct Wave;
+
+  void run_wave(const Wave& wave);
+  void warm_up();
+
+  gpu::Device& device_;
+  RenderSettings settings_;
+  Features features_;
+  RenderStatistics statistics_;
+  std::unique_ptr<Resources> resources_;
+};
+
+}  // namespace facet

@@ -1,0 +1,241 @@
+#include "render/resources.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace facet {
+
+namespace {
+
+using Usage = vk::BufferUsageFlagBits;
+
+/// Paths in flight: few on a CPU, whose caches hold their state; many on a GPU, which needs them to be busy.
+constexpr std::uint32_t slots_on_cpu = 1U << 16U;
+constexpr std::uint32_t slots_on_gpu = 1U << 20U;
+
+std::vector<vk::DescriptorType> binding_types(GeometryFetch fetch) {
+  std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
+  if (fetch == GeometryFetch::texel_buffer) {
+    types[shared::BINDING_NODES] = vk::DescriptorType::eUniformTexelBuffer;
+    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eUniformTexelBuffer;
+  }
+  return types;
+}
+
+GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, const RenderSettings& settings) {
+  const std::size_t texels = std::max(packed.bvh.nodes.size() * 4, packed.triangles.size() * 3);
+  const bool fits = texels <= device.limits().maxTexelBufferElements;
+  return fits && !settings.force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
+}
+
+std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
+  std::uint32_t slots = settings.paths_in_flight;
+  if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(slots, paths));
+}
+
+std::uint32_t crop_pixels(const Crop& crop) {
+  return static_cast<std::uint32_t>(crop.x1 - crop.x0) * static_cast<std::uint32_t>(crop.y1 - crop.y0);
+}
+
+/// The frame with what the settings say.
+shared::FrameRecord complete_frame(const PackedScene& packed, const Features& features, const RenderSettings& settings) {
+  shared::FrameRecord frame = packed.frame;
+  frame.crop_x = static_cast<std::uint32_t>(settings.crop.x0);
+  frame.crop_y = static_cast<std::uint32_t>(settings.crop.y0);
+  frame.crop_width = static_cast<std::uint32_t>(settings.crop.x1 - settings.crop.x0);
+  frame.crop_height = static_cast<std::uint32_t>(settings.crop.y1 - settings.crop.y0);
+  frame.seed = settings.seed;
+  const int limit = features.integrator.interaction_limit();
+  frame.max_depth = limit < 0 ? shared::NONE : static_cast<std::uint32_t>(limit);
+  return frame;
+}
+
+/// A buffer with these records, refused where it is larger than the device can bind.
+template <typename Record>
+gpu::Buffer make_scene_buffer(gpu::Device& device, const std::vector<Record>& records, const std::string& what, bool texels = false) {
+  const std::uint64_t bytes = records.size() * sizeof(Record);
+  if (!texels && bytes > device.limits().maxStorageBufferRange) {
+    throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes, device.info().name,
+                                 device.limits().maxStorageBufferRange));
+  }
+  gpu::Buffer buffer(device, bytes, texels ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer, what);
+  buffer.upload(records);
+  return buffer;
+}
+
+std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p, const Features& features,
+                                            const RenderSettings& settings, GeometryFetch fetch) {
+  const bool texels = fetch == GeometryFetch::texel_buffer;
+  const std::vector<shared::FrameRecord> frame{complete_frame(p, features, settings)};
+  std::vector<gpu::Buffer> buffers;  // in the order of the bindings
+  buffers.push_back(make_scene_buffer(device, p.bvh.nodes, "the BVH", texels));
+  buffers.push_back(make_scene_buffer(device, p.triangles, "the triangles", texels));
+  buffers.push_back(make_scene_buffer(device, p.normal_indices, "the normals' indices"));
+  buffers.push_back(make_scene_buffer(device, p.normals, "the normals"));
+  buffers.push_back(make_scene_buffer(device, p.meshes, "the meshes"));
+  buffers.push_back(make_scene_buffer(device, p.bsdfs, "the BSDFs"));
+  buffers.push_back(make_scene_buffer(device, p.emitters, "the emitters"));
+  buffers.push_back(make_scene_buffer(device, p.emitter_triangles, "the emitters' triangles"));
+  buffers.push_back(make_scene_buffer(device, p.environment.texels, "the environment map"));
+  buffers.push_back(make_scene_buffer(device, p.environment.rows, "the environment's rows"));
+  buffers.push_back(make_scene_buffer(device, p.environment.columns, "the environment's columns"));
+  buffers.push_back(make_scene_buffer(device, p.filter.quantiles, "the filter"));
+  buffers.push_back(make_scene_buffer(device, frame, "the frame"));
+  return buffers;
+}
+
+gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
+  return {device, records * record_bytes, Usage::eStorageBuffer, "the paths in flight"};
+}
+
+}  // namespace
+
+Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
+                               const RenderSettings& settings)
+    : device_(device),
+      fetch_(choose_fetch(device, packed, settings)),
+      shadow_rays_(features.integrator.type.emitter_sampling || features.integrator.type.name == "ao"),
+      variance_(features.variance),
+      pixel_count_(crop_pixels(settings.crop)),
+      slot_count_(choose_slots(device, settings, std::uint64_t{pixel_count_} * (settings.end_sample - settings.first_sample))),
+      layout_(device, binding_types(fetch_), sizeof(shared::PassConstants)),
+      scene_(make_scene_buffers(device, packed, features, settings, fetch_)),
+      rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
+      hits_(make_state(device, slot_count_, sizeof(shared::HitRecord))),
+      paths_(make_state(device, slot_count_, sizeof(shared::PathRecord))),
+      shadow_(make_state(device, shadow_rays_ ? slot_count_ : 0, sizeof(shared::ShadowRayRecord))),
+      queues_(make_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
+      counters_(device, shared::COUNTER_WORDS * sizeof(std::uint32_t), Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters") {
+  make_film();
+  bind_everything();
+  const auto constants = features.constants(packed.bvh.stack_size);
+  for (int k = 0; k < kernel_count; ++k) {
+    const auto kernel = static_cast<Kernel>(k);
+    pipelines_.push_back(gpu::make_compute_pipeline(device, layout_, kernel_code(kernel, fetch_), constants, kernel_name(kernel)));
+  }
+}
+
+void Renderer::Resources::make_film() {
+  constexpr std::uint64_t record = sizeof(shared::FilmRecord);
+  const auto largest = static_cast<std::uint32_t>(device_.limits().maxStorageBufferRange / record);
+  for (std::uint32_t first = 0; first < pixel_count_;) {
+    const std::uint32_t count = std::min(largest, pixel_count_ - first);
+    pieces_.push_back({first, count});
+    film_.emplace_back(device_, count * record, Usage::eStorageBuffer, "the film");
+    squares_.emplace_back(device_, variance_ ? count * record : 0, Usage::eStorageBuffer, "the film's variance");
+    film_.back().clear();
+    squares_.back().clear();
+    first += count;
+  }
+}
+
+void Renderer::Resources::bind_everything() {
+  if (fetch_ == GeometryFetch::texel_buffer) {
+    texel_views_.push_back(gpu::make_texel_view(device_, scene_[shared::BINDING_NODES]));
+    texel_views_.push_back(gpu::make_texel_view(device_, scene_[shared::BINDING_TRIANGLES]));
+  }
+  std::vector<gpu::Binding> bindings(shared::BINDING_COUNT);
+  for (std::size_t i = 0; i < scene_.size(); ++i) bindings[i].buffer = &scene_[i];
+  for (std::size_t i = 0; i < texel_views_.size(); ++i) bindings[shared::BINDING_NODES + i].view = &texel_views_[i];
+  bindings[shared::BINDING_RAYS].buffer = &rays_;
+  bindings[shared::BINDING_HITS].buffer = &hits_;
+  bindings[shared::BINDING_PATHS].buffer = &paths_;
+  bindings[shared::BINDING_SHADOW_RAYS].buffer = &shadow_;
+  bindings[shared::BINDING_QUEUES].buffer = &queues_;
+  bindings[shared::BINDING_COUNTERS].buffer = &counters_;
+  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+    bindings[shared::BINDING_FILM].buffer = &film_[piece];
+    bindings[shared::BINDING_FILM_SQUARES].buffer = &squares_[piece];
+    sets_.emplace_back(device_, layout_, bindings);
+  }
+}
+
+void Renderer::Resources::bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const {
+  c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, sets_[film_piece].handle(), {});
+}
+
+void Renderer::Resources::dispatch(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants,
+                                   std::uint32_t groups) const {
+  c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipelines_[static_cast<std::size_t>(kernel)]);
+  c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute, 0, constants);
+  c.dispatch(groups, 1, 1);
+}
+
+void Renderer::Resources::dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel,
+                                            const shared::PassConstants& constants, std::uint32_t counter_word) const {
+  c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipelines_[static_cast<std::size_t>(kernel)]);
+  c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute, 0, constants);
+  c.dispatchIndirect(counters_.handle(), counter_word * sizeof(std::uint32_t));
+}
+
+void Renderer::Resources::clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const {
+  c.fillBuffer(counters_.handle(), 0, VK_WHOLE_SIZE, 0);
+  gpu::barrier(c);
+  c.fillBuffer(counters_.handle(), shared::COUNTER_ACTIVE * sizeof(std::uint32_t), sizeof(std::uint32_t), slots);
+  gpu::barrier(c);
+}
+
+void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants) const {
+  shared::PassConstants stage = constants;
+  dispatch(c, Kernel::schedule, stage, 1);
+  gpu::barrier(c);
+  dispatch_indirect(c, Kernel::extend, constants, shared::INDIRECT_PATHS);
+  gpu::barrier(c);
+  dispatch_indirect(c, Kernel::shade, constants, shared::INDIRECT_PATHS);
+  gpu::barrier(c);
+  if (!shadow_rays_) return;
+  stage.stage = 1;
+  dispatch(c, Kernel::schedule, stage, 1);
+  gpu::barrier(c);
+  dispatch_indirect(c, Kernel::shadow, constants, shared::INDIRECT_SHADOW);
+  gpu::barrier(c);
+}
+
+std::array<std::uint32_t, shared::COUNTER_WORDS> Renderer::Resources::read_counters() const {
+  std::array<std::uint32_t, shared::COUNTER_WORDS> words{};
+  counters_.download(std::as_writable_bytes(std::span(words)));
+  return words;
+}
+
+FilmData Renderer::Resources::read_film() const {
+  FilmData data;
+  data.sums.resize(pixel_count_);
+  if (variance_) data.squares.resize(pixel_count_);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const FilmPiece& piece = pieces_[i];
+    film_[i].download(std::as_writable_bytes(std::span(data.sums).subspan(piece.first_pixel, piece.pixel_count)));
+    if (variance_) squares_[i].download(std::as_writable_bytes(std::span(data.squares).subspan(piece.first_pixel, piece.pixel_count)));
+  }
+  return data;
+}
+
+std::vector<shared::RayRecord> Renderer::Resources::read_rays(std::uint32_t count) const {
+  std::vector<shared::RayRecord> records(count);
+  rays_.download(std::as_writable_bytes(std::span(records)));
+  return records;
+}
+
+std::vector<shared::HitRecord> Renderer::Resources::read_hits(std::uint32_t count) const {
+  std::vector<shared::HitRecord> records(count);
+  hits_.download(std::as_writable_bytes(std::span(records)));
+  return records;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> Renderer::Resources::pixel_ranges(std::size_t piece) const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+  const std::uint32_t end = pieces_[piece].first_pixel + pieces_[piece].pixel_count;
+  // Ranges of equal size, whole workgroups each.
+  const std::uint32_t passes = (pieces_[piece].pixel_count + slot_count_ - 1) / slot_count_;
+  const std::uint32_t even = (pieces_[piece].pixel_count + passes - 1) / passes;
+  const std::uint32_t size = std::min(slot_count_, (even + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE * shared::WORKGROUP_SIZE);
+  for (std::uint32_t first = pieces_[piece].first_pixel; first < end;) {
+    const std::uint32_t count = std::min(size, end - first);
+    ranges.emplace_back(first, count);
+    first += count;
+  }
+  return ranges;
+}
+
+}  // namespace facet

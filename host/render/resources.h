@@ -1,0 +1,71 @@
+#pragma once
+// Everything a render keeps on the device: buffers, bindings, pipelines.
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "gpu/pipeline.h"
+#include "render/kernels.h"
+#include "render/renderer.h"
+
+namespace facet {
+
+/// A contiguous part of the film, as large as a device's storage buffers may be.
+struct FilmPiece {
+  std::uint32_t first_pixel = 0;
+  std::uint32_t pixel_count = 0;
+};
+
+struct Renderer::Resources {
+ public:
+  Resources(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings);
+
+  /// Binds the buffers, with one piece of the film.
+  void bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const;
+  void dispatch(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants, std::uint32_t groups) const;
+  /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
+  void clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const;
+  /// extend, shade and shadow, sized by their queues.
+  void record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants) const;
+
+  [[nodiscard]] vk::Buffer counters() const { return counters_.handle(); }
+  [[nodiscard]] std::array<std::uint32_t, shared::COUNTER_WORDS> read_counters() const;
+  [[nodiscard]] FilmData read_film() const;
+  [[nodiscard]] std::vector<shared::RayRecord> read_rays(std::uint32_t count) const;
+  [[nodiscard]] std::vector<shared::HitRecord> read_hits(std::uint32_t count) const;
+
+  [[nodiscard]] std::uint32_t pixel_count() const { return pixel_count_; }
+  [[nodiscard]] std::uint32_t slot_count() const { return slot_count_; }
+  [[nodiscard]] const std::vector<FilmPiece>& film_pieces() const { return pieces_; }
+  /// (first pixel, count) of a piece's passes: at most slot_count() pixels each.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(std::size_t piece) const;
+
+ private:
+  void dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants,
+                         std::uint32_t counter_word) const;
+  void make_film();
+  void bind_everything();
+
+  gpu::Device& device_;
+  GeometryFetch fetch_;
+  bool shadow_rays_;
+  bool variance_;
+  std::uint32_t pixel_count_;
+  std::uint32_t slot_count_;
+  std::vector<FilmPiece> pieces_;
+  gpu::Layout layout_;
+  std::vector<gpu::Buffer> scene_;  ///< by binding, BINDING_NODES to BINDING_FRAME
+  gpu::Buffer rays_;
+  gpu::Buffer hits_;
+  gpu::Buffer paths_;
+  gpu::Buffer shadow_;
+  gpu::Buffer queues_;
+  gpu::Buffer counters_;
+  std::vector<gpu::Buffer> film_;     ///< one a piece
+  std::vector<gpu::Buffer> squares_;  ///< likewise; a single dummy without variance
+  std::vector<vk::raii::BufferView> texel_views_;  ///< nodes, triangles
+  std::vector<gpu::BindingSet> sets_;              ///< one a piece
+  std::vector<vk::raii::Pipeline> pipelines_;      ///< by Kernel
+};
+
+}  // namespace facet

@@ -1,0 +1,44 @@
+#include "scene/filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet {
+
+namespace {
+
+double value(const GaussianFilter& f, double x) {
+  const double k = -0.5 / (f.stddev * f.stddev);
+  return std::max(0.0, std::exp(k * x * x) - std::exp(k * f.radius * f.radius));
+}
+
+double value(const MitchellFilter& f, double x) {
+  const double t = 2 * std::abs(x) / f.radius;
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  if (t < 1) return ((12 - 9 * f.b - 6 * f.c) * t3 + (-18 + 12 * f.b + 6 * f.c) * t2 + (6 - 2 * f.b)) / 6;
+  if (t < 2) {
+    return ((-f.b - 6 * f.c) * t3 + (6 * f.b + 30 * f.c) * t2 + (-12 * f.b - 48 * f.c) * t + (8 * f.b + 24 * f.c)) / 6;
+  }
+  return 0;
+}
+
+double value(const TentFilter&, double x) { return std::max(0.0, 1 - std::abs(x)); }
+double value(const BoxFilter&, double x) { return std::abs(x) <= 0.5 ? 1 : 0; }
+
+double radius(const GaussianFilter& f) { return f.radius; }
+double radius(const MitchellFilter& f) { return f.radius; }
+double radius(const TentFilter&) { return 1; }
+double radius(const BoxFilter&) { return 0.5; }
+
+}  // namespace
+
+double filter_radius(const Filter& filter) {
+  return std::visit([](const auto& f) { return radius(f); }, filter);
+}
+
+double filter_value(const Filter& filter, double x) {
+  return std::visit([x](const auto& f) { return value(f, x); }, filter);
+}
+
+}  // namespace facet

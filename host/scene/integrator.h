@@ -1,0 +1,42 @@
+#pragma once
+// Which quantity is estimated, and how.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/integrator_list.h"
+
+namespace facet {
+
+/// One line of the shared list of integrators.
+struct IntegratorType {
+  std::string_view name;
+  int kernel;              ///< id of the shading kernel
+  bool emitter_sampling;   ///< direct light by sampling emitters
+  bool material_sampling;  ///< direct light by sampling BSDFs
+  int interactions;        ///< most surface interactions, -1: unlimited
+};
+
+[[nodiscard]] const std::vector<IntegratorType>& integrator_types();
+/// Nothing for an unknown name.
+[[nodiscard]] std::optional<IntegratorType> find_integrator_type(std::string_view name);
+
+enum class Heuristic { balance, power };
+
+struct Integrator {
+  IntegratorType type{};
+  int max_depth = -1;  ///< surface interactions, -1: unlimited
+  Heuristic heuristic = Heuristic::balance;
+
+  /// Most surface interactions under both limits, -1: unlimited.
+  [[nodiscard]] int interaction_limit() const {
+    if (type.interactions < 0) return max_depth;
+    return max_depth < 0 ? type.interactions : std::min(max_depth, type.interactions);
+  }
+  /// Whether light is estimated at all, so that a scene without emitters is black.
+  [[nodiscard]] bool needs_emitters() const { return type.emitter_sampling || type.material_sampling; }
+};
+
+}  // namespace facet

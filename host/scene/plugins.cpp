@@ -1,0 +1,49 @@
+#include "scene/plugins.h"
+
+#include <algorithm>
+
+#include "scene/integrator.h"
+#include "shared/bsdf_list.h"
+#include "shared/emitter_list.h"
+
+namespace facet {
+
+namespace {
+
+std::vector<PluginInfo> make_plugins() {
+  std::vector<PluginInfo> list{
+      {"mesh", "obj", true},          {"camera", "perspective", true}, {"sampler", "independent", true},
+      {"sampler", "sobol", false},    {"rfilter", "gaussian", true},   {"rfilter", "mitchell", true},
+      {"rfilter", "tent", true},      {"rfilter", "box", true},        {"bsdf", "mirror", false},
+      {"bsdf", "dielectric", false},  {"bsdf", "microfacet", false},   {"bsdf", "roughdielectric", false},
+      {"bsdf", "fresnelblend", false}, {"texture", "textmap", false},  {"texture", "checker", false},
+      {"emitter", "pointlight", false}, {"integrator", "simple", false}, {"integrator", "whitted", false},
+      {"integrator", "direct_whitted", false}, {"test", "ttest", false}, {"test", "chi2test", false},
+  };
+#define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
+  FACET_BSDF_LIST(FACET_BSDF)
+#undef FACET_BSDF
+#define FACET_EMITTER(name, id) list.push_back({"emitter", #name, true});
+  FACET_EMITTER_LIST(FACET_EMITTER)
+#undef FACET_EMITTER
+  for (const IntegratorType& type : integrator_types()) list.push_back({"integrator", type.name, true});
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
+  return list;
+}
+
+}  // namespace
+
+const std::vector<PluginInfo>& plugins() {
+  static const std::vector<PluginInfo> list = make_plugins();
+  return list;
+}
+
+std::vector<std::string> plugin_types(std::string_view tag) {
+  std::vector<std::string> types;
+  for (const PluginInfo& plugin : plugins()) {
+    if (plugin.tag == tag) types.emplace_back(plugin.type);
+  }
+  return types;
+}
+
+}  // namespace facet

@@ -1,0 +1,192 @@
+#include "scene/reader.h"
+
+#include "core/text.h"
+#include "scene/emitter/readers.h"
+#include "scene/mesh/obj.h"
+#include "scene/plugins.h"
+
+namespace facet {
+
+namespace {
+
+/// Ends reading at a plugin that does not exist, or not yet.
+[[noreturn]] void fail_unknown_type(const PropertyReader& properties, const std::string& tag) {
+  for (const PluginInfo& plugin : plugins()) {
+    if (plugin.tag == tag && plugin.type == properties.type()) {
+      throw InputError(properties.location(), fmt::format("{} is not supported yet", properties.title()));
+    }
+  }
+  const std::string mend = did_you_mean(properties.type(), plugin_types(tag));
+  throw InputError(properties.location(), fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));
+}
+
+/// Reads the scene's parts into it; one object a file.
+class SceneReader {
+ public:
+  SceneReader(const std::filesystem::path& path, Diagnostics& diagnostics) : xml_(path), diagnostics_(diagnostics) {
+    scene_.file = path;
+  }
+
+  Scene read() {
+    const pugi::xml_node root = xml_.root();
+    if (std::string_view(root.name()) == "test") {
+      throw InputError(xml_.location(root), "a <test> is run by \"facet test\", which is not supported yet");
+    }
+    if (std::string_view(root.name()) != "scene") {
+      throw InputError(xml_.location(root), fmt::format("the root is <{}>; <scene> expected", root.name()));
+    }
+    PropertyReader properties(xml_, root);
+    read_camera(properties);
+    read_sampler(properties);
+    read_integrator(properties);
+    for (const pugi::xml_node& node : properties.children("mesh")) read_mesh(node);
+    for (const pugi::xml_node& node : properties.children("emitter")) read_emitter(node);
+    properties.finish(diagnostics_);
+    return std::move(scene_);
+  }
+
+ private:
+  void read_camera(PropertyReader& scene) {
+    const auto node = scene.only_child("camera");
+    if (!node) throw InputError(scene.location(), "the scene has no camera");
+    PropertyReader p = open(*node);
+    if (p.type() != "perspective") fail_unknown_type(p, "camera");
+    Camera& c = scene_.camera;
+    c.width = p.integer("width", c.width, 1, largest_image_side);
+    c.height = p.integer("height", c.height, 1, largest_image_side);
+    if (static_cast<long long>(c.width) * c.height > largest_image_area) {
+      p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width, c.height, largest_image_area));
+    }
+    c.to_world = p.transform("toWorld");
+    if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
+    c.fov = p.real_above("fov", c.fov, 0);
+    if (c.fov >= 180) p.fail("fov", fmt::format("is {:g} degrees, but must be less than 180", c.fov));
+    c.near_clip = p.real("nearClip", c.near_clip);
+    if (c.near_clip < 0) p.fail("nearClip", "must not be negative");
+    c.far_clip = p.real_above("farClip", c.far_clip, c.near_clip);
+    if (const auto filter = p.only_child("rfilter")) c.filter = read_filter(*filter);
+    p.finish(diagnostics_);
+  }
+
+  Filter read_filter(const pugi::xml_node& node) {
+    PropertyReader p = open(node);
+    Filter filter;
+    if (p.type() == "gaussian") {
+      GaussianFilter f;
+      f.radius = p.real_above("radius", f.radius, 0);
+      f.stddev = p.real_above("stddev", f.stddev, 0);
+      filter = f;
+    } else if (p.type() == "mitchell") {
+      MitchellFilter f;
+      f.radius = p.real_above("radius", f.radius, 0);
+      f.b = p.real("B", f.b);
+      f.c = p.real("C", f.c);
+      filter = f;
+    } else if (p.type() == "tent") {
+      filter = TentFilter{};
+    } else if (p.type() == "box") {
+      filter = BoxFilter{};
+    } else {
+      fail_unknown_type(p, "rfilter");
+    }
+    p.finish(diagnostics_);
+    return filter;
+  }
+
+  void read_sampler(PropertyReader& scene) {
+    const auto node = scene.only_child("sampler");
+    if (!node) return;
+    PropertyReader p = open(*node);
+    if (p.type() != "independent") fail_unknown_type(p, "sampler");
+    scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
+    scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
+    p.finish(diagnostics_);
+  }
+
+  void read_integrator(PropertyReader& scene) {
+    const auto node = scene.only_child("integrator");
+    if (!node) return;
+    PropertyReader p = open(*node);
+    const auto type = find_integrator_type(p.type());
+    if (!type) fail_unknown_type(p, "integrator");
+    // The name lives in the table, not in the file's text.
+    scene_.integrator.type = *type;
+    if (scene_.integrator.needs_emitters()) {
+      scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
+      scene_.integrator.heuristic = p.choice("heuristic", {"balance", "power"}) == "power" ? Heuristic::power : Heuristic::balance;
+    }
+    p.finish(diagnostics_);
+  }
+
+  void read_mesh(const pugi::xml_node& node) {
+    PropertyReader p = open(node);
+    if (p.type() != "obj") fail_unknown_type(p, "mesh");
+    const std::string filename = p.string("filename", "");
+    if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
+    Mesh mesh = read_obj(xml_.path().parent_path() / filename, p.transform("toWorld"), p.location(), diagnostics_);
+    mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
+    const auto bsdf = p.only_child("bsdf");
+    scene_.bsdfs.push_back(bsdf ? read_bsdf(*bsdf) : Bsdf(bsdf::Diffuse{}));
+    if (const auto emitter = p.only_child("emitter")) {
+      PropertyReader e = open(*emitter);
+      if (e.type() != "area") {
+        if (e.type() == "environment" || e.type() == "pointlight") {
+          throw InputError(e.location(), fmt::format("{} belongs to the scene, not to a mesh", e.title()));
+        }
+        fail_unknown_type(e, "emitter");
+      }
+      mesh.emitter = static_cast<std::uint32_t>(scene_.emitters.size());
+      scene_.emitters.emplace_back(read_area_emitter(e, static_cast<std::uint32_t>(scene_.meshes.size())));
+      e.finish(diagnostics_);
+    }
+    p.finish(diagnostics_);
+    scene_.meshes.push_back(std::move(mesh));
+  }
+
+  Bsdf read_bsdf(const pugi::xml_node& node) {
+    PropertyReader p = open(node);
+    std::optional<Bsdf> bsdf;
+#define FACET_READ(name, Type, id) \
+  if (p.type() == #name) bsdf = bsdf::Type::read(p);
+    FACET_BSDF_LIST(FACET_READ)
+#undef FACET_READ
+    if (!bsdf) fail_unknown_type(p, "bsdf");
+    // Nori's files name the textures they replace parameters by; find() has already refused those.
+    (void)p.children("texture");
+    p.finish(diagnostics_);
+    return *bsdf;
+  }
+
+  void read_emitter(const pugi::xml_node& node) {
+    PropertyReader p = open(node);
+    if (p.type() == "area") throw InputError(p.location(), "emitter \"area\" belongs to a mesh, not to the scene");
+    if (p.type() != "environment") fail_unknown_type(p, "emitter");
+    if (scene_.environment() != none) throw InputError(p.location(), "the scene has more than one environment");
+    scene_.emitters.emplace_back(read_environment_emitter(p));
+    p.finish(diagnostics_);
+  }
+
+  /// An object tag with a type.
+  PropertyReader open(const pugi::xml_node& node) {
+    if (!node.attribute("type")) {
+      throw InputError(xml_.location(node), fmt::format("<{}> lacks the attribute \"type\"", node.name()));
+    }
+    return {xml_, node};
+  }
+
+  XmlDocument xml_;
+  Diagnostics& diagnostics_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) { return SceneReader(path, diagnostics).read(); }
+
+void check_image_size(long long width, long long height) {
+  if (width >= 1 && height >= 1 && width <= largest_image_side && height <= largest_image_side && width * height <= largest_image_area) return;
+  throw InputError(fmt::format("an image of {}x{} pixels: sides must be 1 to {}, and the whole at most {} pixels", width, height,
+                               largest_image_side, largest_image_area));
+}
+
+}  // namespace facet

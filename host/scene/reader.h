@@ -1,0 +1,21 @@
+#pragma once
+// From a scene file to a Scene.
+#include <filesystem>
+
+#include "core/diagnostics.h"
+#include "scene/scene.h"
+
+namespace facet {
+
+/// Reads a scene in Nori's language. Throws InputError with file and line for whatever is wrong. A scene without an integrator
+/// is left with an integrator of empty name, for the command line to fill in.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// Largest image that is accepted: pixels a side, and in all.
+inline constexpr int largest_image_side = 1 << 20;
+inline constexpr long long largest_image_area = 1LL << 28;
+
+/// Throws InputError unless width x height lies within the limits above.
+void check_image_size(long long width, long long height);
+
+}  // namespace facet

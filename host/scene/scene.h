@@ -1,0 +1,82 @@
+#pragma once
+// A scene as plain typed data, as the files say it: no defaults left to fill in, no packing for any renderer.
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/error.h"
+#include "core/maths.h"
+#include "image/image.h"
+#include "scene/bsdf/bsdf.h"
+#include "scene/filter.h"
+#include "scene/integrator.h"
+
+namespace facet {
+
+inline constexpr std::uint32_t none = 0xffffffffU;
+
+/// Triangles with what they look like. World space. Indices are zero-based; the three kinds of vertex data have lists of
+/// their own, as in OBJ files.
+struct Mesh {
+  std::string name;  ///< the file it came from
+  SourceLocation where;
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;  ///< unit; empty without
+  std::vector<vec2> texcoords;
+  std::vector<uvec3> position_indices;
+  std::vector<uvec3> normal_indices;    ///< one a triangle or empty; x = none: that triangle has no normals
+  std::vector<uvec3> texcoord_indices;  ///< likewise
+  std::uint32_t bsdf = 0;               ///< index into Scene::bsdfs
+  std::uint32_t emitter = none;         ///< index into Scene::emitters
+};
+
+/// One-sided emission of a mesh.
+struct AreaEmitter {
+  std::uint32_t mesh = 0;  ///< index into Scene::meshes
+  Color radiance{1};       ///< W sr^-1 m^-2, scale included
+};
+
+/// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the file: up is the last.
+struct EnvironmentEmitter {
+  int width = 1;
+  int height = 1;
+  std::vector<Color> texels;
+};
+
+using Emitter = std::variant<AreaEmitter, EnvironmentEmitter>;
+
+/// Nori's perspective camera: looks along +z of its space, +x to the left of the image, +y up.
+struct Camera {
+  int width = 1280;
+  int height = 720;
+  dmat4 to_world{1};
+  double fov = 30;  ///< degrees, along x
+  double near_clip = 1e-4;
+  double far_clip = 1e4;
+  Filter filter;
+};
+
+/// How the emitter of a light sample is chosen.
+enum class EmitterSelection { uniform, power };
+
+struct Scene {
+  std::filesystem::path file;
+  std::vector<Mesh> meshes;
+  std::vector<Bsdf> bsdfs;
+  std::vector<Emitter> emitters;
+  Camera camera;
+  Integrator integrator;
+  int sample_count = 1;
+  std::uint32_t seed = 0;
+  EmitterSelection emitter_selection = EmitterSelection::power;
+
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] Box bounds() const;
+  /// Index of the environment among the emitters, none without one.
+  [[nodiscard]] std::uint32_t environment() const;
+};
+
+}  // namespace facet

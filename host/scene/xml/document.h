@@ -1,0 +1,30 @@
+#pragma once
+// An XML file whose elements know their lines.
+#include <filesystem>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace facet {
+
+class XmlDocument {
+ public:
+  /// Throws InputError, with the line, where the file is missing or not well-formed.
+  explicit XmlDocument(std::filesystem::path path);
+
+  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+  [[nodiscard]] SourceLocation location(const pugi::xml_node& node) const;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  [[nodiscard]] int line_at(std::ptrdiff_t offset) const;
+
+  std::filesystem::path path_;
+  std::string text_;
+  std::vector<std::ptrdiff_t> line_starts_;
+  pugi::xml_document document_;
+};
+
+}  // namespace facet

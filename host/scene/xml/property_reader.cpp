@@ -1,0 +1,175 @@
+#include "scene/xml/property_reader.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+#include "scene/xml/values.h"
+
+namespace facet {
+
+namespace {
+
+const std::vector<std::string> object_tags{"scene",   "mesh",    "bsdf", "texture", "emitter", "camera",
+                                           "integrator", "sampler", "rfilter", "test", "medium",  "phase"};
+const std::vector<std::string> property_tags{"boolean", "integer", "float", "string", "point", "vector", "color", "transform"};
+
+bool contains(const std::vector<std::string>& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+}  // namespace
+
+PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object) : xml_(xml), object_(object) {
+  for (const pugi::xml_node& child : object.children()) {
+    if (child.type() == pugi::node_pcdata) {
+      throw InputError(xml.location(child), fmt::format("stray text in {}: \"{}\"", title(), child.value()));
+    }
+    if (child.type() != pugi::node_element) continue;
+    const std::string tag = child.name();
+    if (contains(object_tags, tag)) {
+      if (tag == "medium" || tag == "phase") {
+        throw InputError(xml.location(child), fmt::format("<{}>: participating media are not supported", tag));
+      }
+      children_.push_back(child);
+    } else if (contains(property_tags, tag)) {
+      const std::string name = required_attribute(xml, child, "name");
+      if (!properties_.emplace(name, child).second) {
+        throw InputError(xml.location(child), fmt::format("{}: property \"{}\" is given twice", title(), name));
+      }
+    } else {
+      std::vector<std::string> known = object_tags;
+      known.insert(known.end(), property_tags.begin(), property_tags.end());
+      throw InputError(xml.location(child), fmt::format("unknown tag <{}>{}", tag, did_you_mean(tag, known)));
+    }
+  }
+}
+
+std::string PropertyReader::title() const {
+  const std::string type = object_.attribute("type").value();
+  return type.empty() ? std::string(object_.name()) : fmt::format("{} \"{}\"", object_.name(), type);
+}
+
+void PropertyReader::fail(const std::string& name, const std::string& message) const {
+  const auto found = properties_.find(name);
+  const SourceLocation where = found == properties_.end() ? location() : xml_.location(found->second);
+  throw InputError(where, fmt::format("{}: \"{}\" {}", title(), name, message));
+}
+
+void PropertyReader::check_textures(const std::string& name) const {
+  for (const pugi::xml_node& child : children_) {
+    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
+    throw InputError(xml_.location(child), fmt::format("texture \"{}\" for \"{}\": textures are not supported yet",
+                                                       child.attribute("type").value(), name));
+  }
+}
+
+std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, const std::string& tag) {
+  known_names_.insert(name);
+  check_textures(name);
+  const auto found = properties_.find(name);
+  if (found == properties_.end()) return std::nullopt;
+  if (found->second.name() != tag) fail(name, fmt::format("must be a <{}>, not a <{}>", tag, found->second.name()));
+  return found->second;
+}
+
+double PropertyReader::real(const std::string& name, double fallback) {
+  const auto node = find(name, "float");
+  return node ? read_numbers(xml_, *node, "value", 1, 1)[0] : fallback;
+}
+
+double PropertyReader::real_above(const std::string& name, double fallback, double bound) {
+  const double value = real(name, fallback);
+  if (!(value > bound)) fail(name, fmt::format("is {:g}, but must be greater than {:g}", value, bound));
+  return value;
+}
+
+int PropertyReader::integer(const std::string& name, int fallback, int least, int most) {
+  const auto node = find(name, "integer");
+  if (!node) return fallback;
+  const std::string text = required_attribute(xml_, *node, "value");
+  const std::optional<long long> value = parse_integer(text);
+  if (!value) fail(name, fmt::format("is \"{}\", which is not an integer", text));
+  if (*value < least || *value > most) fail(name, fmt::format("is {}, but must be {} to {}", *value, least, most));
+  return static_cast<int>(*value);
+}
+
+std::string PropertyReader::string(const std::string& name, const std::string& fallback) {
+  const auto node = find(name, "string");
+  return node ? required_attribute(xml_, *node, "value") : fallback;
+}
+
+std::string PropertyReader::choice(const std::string& name, const std::vector<std::string>& words) {
+  const std::string word = string(name, words.front());
+  if (!contains(words, word)) {
+    fail(name, fmt::format("is \"{}\", which is none of: {}{}", word, fmt::join(words, ", "), did_you_mean(word, words)));
+  }
+  return word;
+}
+
+Color PropertyReader::color(const std::string& name, const Color& fallback) {
+  const auto node = find(name, "color");
+  if (!node) return fallback;
+  const std::vector<double> v = read_numbers(xml_, *node, "value", 1, 3);
+  if (v.size() == 2) fail(name, "holds two numbers; one or three expected");
+  return v.size() == 1 ? Color(static_cast<float>(v[0])) : Color(v[0], v[1], v[2]);
+}
+
+Color PropertyReader::reflectance(const std::string& name, const Color& fallback) {
+  const Color c = color(name, fallback);
+  if (glm::any(glm::lessThan(c, Color(0))) || glm::any(glm::greaterThan(c, Color(1)))) {
+    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but a reflectance lies between 0 and 1", c.r, c.g, c.b));
+  }
+  return c;
+}
+
+Color PropertyReader::radiance(const std::string& name, const Color& fallback) {
+  const Color c = color(name, fallback);
+  if (glm::any(glm::lessThan(c, Color(0)))) fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must not be negative", c.r, c.g, c.b));
+  return c;
+}
+
+float PropertyReader::roughness(const std::string& name, float fallback) {
+  const double alpha = real(name, fallback);
+  if (alpha < 1e-4) fail(name, fmt::format("is {:g}, below 0.0001: such a surface is smooth; use the delta model (mirror, dielectric)", alpha));
+  if (alpha > 1) fail(name, fmt::format("is {:g}, but roughness is at most 1", alpha));
+  // The nearest float to 1e-4 lies below it.
+  return static_cast<float>(alpha);
+}
+
+float PropertyReader::index_of_refraction(const std::string& name, float fallback) {
+  return static_cast<float>(real_above(name, fallback, 0));
+}
+
+dmat4 PropertyReader::transform(const std::string& name) {
+  const auto node = find(name, "transform");
+  return node ? read_transform(xml_, *node) : dmat4(1);
+}
+
+std::vector<pugi::xml_node> PropertyReader::children(const std::string& tag) {
+  known_tags_.insert(tag);
+  std::vector<pugi::xml_node> found;
+  std::copy_if(children_.begin(), children_.end(), std::back_inserter(found),
+               [&](const pugi::xml_node& child) { return child.name() == tag; });
+  return found;
+}
+
+std::optional<pugi::xml_node> PropertyReader::only_child(const std::string& tag) {
+  const std::vector<pugi::xml_node> found = children(tag);
+  if (found.size() > 1) throw InputError(xml_.location(found[1]), fmt::format("{} has more than one <{}>", title(), tag));
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+void PropertyReader::finish(Diagnostics& diagnostics) {
+  for (const pugi::xml_node& child : children_) {
+    if (known_tags_.contains(child.name())) continue;
+    throw InputError(xml_.location(child), fmt::format("{} cannot hold a <{}>", title(), child.name()));
+  }
+  const std::vector<std::string> names(known_names_.begin(), known_names_.end());
+  for (const auto& [name, node] : properties_) {
+    if (known_names_.contains(name)) continue;
+    diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(), name, did_you_mean(name, names)));
+  }
+}
+
+}  // namespace facet

@@ -1,0 +1,73 @@
+#pragma once
+// The properties and children of one object tag, handed out by name and type. What nobody asked for draws a warning.
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.h"
+#include "core/maths.h"
+#include "scene/xml/document.h"
+
+namespace facet {
+
+class PropertyReader {
+ public:
+  /// Throws InputError for tags that are no part of the language.
+  PropertyReader(const XmlDocument& xml, const pugi::xml_node& object);
+
+  [[nodiscard]] SourceLocation location() const { return xml_.location(object_); }
+  [[nodiscard]] const XmlDocument& xml() const { return xml_; }
+  /// `bsdf "diffuse"`, for messages.
+  [[nodiscard]] std::string title() const;
+  [[nodiscard]] std::string type() const { return object_.attribute("type").value(); }
+
+  // Each returns the property, or the default where the object has none of that name. A property of another type, or out of
+  // the stated range, is an error.
+  double real(const std::string& name, double fallback);
+  int integer(const std::string& name, int fallback, int least, int most);
+  std::string string(const std::string& name, const std::string& fallback);
+  Color color(const std::string& name, const Color& fallback);
+  dmat4 transform(const std::string& name);
+  /// A colour in [0, 1].
+  Color reflectance(const std::string& name, const Color& fallback);
+  /// A colour that is nowhere negative.
+  Color radiance(const std::string& name, const Color& fallback);
+  /// Beckmann or GGX alpha, 1e-4 to 1.
+  float roughness(const std::string& name, float fallback);
+  /// A positive index of refraction.
+  float index_of_refraction(const std::string& name, float fallback);
+  /// One of the words.
+  std::string choice(const std::string& name, const std::vector<std::string>& words);
+  /// real() above a bound.
+  double real_above(const std::string& name, double fallback, double bound);
+
+  [[nodiscard]] bool has(const std::string& name) const { return properties_.contains(name); }
+
+  /// Child objects with this tag, in order.
+  std::vector<pugi::xml_node> children(const std::string& tag);
+  /// The only such child; an error if there are two.
+  std::optional<pugi::xml_node> only_child(const std::string& tag);
+
+  /// To be called when everything was asked for: children that cannot stand here are errors, properties that nobody knows
+  /// are warnings.
+  void finish(Diagnostics& diagnostics);
+
+  /// Throws InputError at the property (or at the object, where it has none of that name).
+  [[noreturn]] void fail(const std::string& name, const std::string& message) const;
+
+ private:
+  /// The property's node if it is there; an error if its tag is not the given one.
+  std::optional<pugi::xml_node> find(const std::string& name, const std::string& tag);
+  void check_textures(const std::string& name) const;
+
+  const XmlDocument& xml_;
+  pugi::xml_node object_;
+  std::map<std::string, pugi::xml_node> properties_;
+  std::vector<pugi::xml_node> children_;
+  std::set<std::string> known_names_;
+  std::set<std::string> known_tags_;
+};
+
+}  // namespace facet

@@ -1,0 +1,50 @@
+/* area: a mesh that emits from one side.
+
+   | parameter | default | meaning                                     |
+   |-----------|---------|---------------------------------------------|
+   | radiance  | 1       | emitted radiance, W sr^-1 m^-2              |
+   | scale     | 1       | factor on it                                |
+
+   Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
+   angle is d^2 / (A |ng.w|) with the geometric normal ng. */
+#include "../lib/emitter_sample.glsl"
+#include "../lib/random.glsl"
+#include "../lib/surface.glsl"
+#include "../lib/warp.glsl"
+
+/// Radiance leaving surface s towards -d.
+vec3 area_eval(EmitterRecord e, Surface s, vec3 d) { return dot3(s.ns, d) < 0.0 ? e.radiance.rgb : vec3(0.0); }
+
+/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen.
+float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
+  float c = abs(dot3(s.ng, d));
+  return c > 0.0 ? (distance / e.radiance.w) * (distance / c) : 0.0;
+}
+
+/// First triangle of the emitter whose cumulative count exceeds bits.
+uint area_find_triangle(EmitterRecord e, uint bits) {
+  uint low = e.first_triangle;
+  uint high = e.first_triangle + e.triangle_count - 1u;
+  for (uint k = 0u; k < 32u; ++k) {
+    if (low >= high) break;
+    uint middle = (low + high) / 2u;
+    bool below = emitter_triangles[middle].cumulative <= bits;
+    low = below ? middle + 1u : low;
+    high = below ? high : middle;
+  }
+  return low;
+}
+
+EmitterSample area_sample(EmitterRecord e, vec3 from, uint primitive_bits, vec2 u) {
+  vec2 b = square_to_triangle(u);
+  Surface s = surface_at(emitter_triangles[area_find_triangle(e, choice_word(primitive_bits))].triangle, b.x, b.y);
+  vec3 to = s.position - from;
+  EmitterSample r;
+  r.d = normalize_safe(to);
+  r.pdf = area_pdf(e, s, r.d, dot3(to, r.d));
+  r.radiance = r.pdf > 0.0 ? area_eval(e, s, r.d) : vec3(0.0);
+  // Both ends of the shadow ray are moved off their surfaces.
+  r.point = offset_ray_origin(s.position, s.magnitude, s.ng, -r.d);
+  r.at_infinity = false;
+  return r;
+}

@@ -1,0 +1,105 @@
+/* environment: light from infinitely far away, constant or from a latitude-longitude image.
+
+   | parameter | default | meaning                                                        |
+   |-----------|---------|----------------------------------------------------------------|
+   | filename  | none    | latitude-longitude EXR; without one the radiance is constant   |
+   | radiance  | 1       | factor on the image divided by 255, or the constant radiance   |
+   | encoding  | msa     | `linear`: the image is not divided by 255                      |
+
+   Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at texel ((1-u) W, (1-v) H), bilinear
+   between texel centres; u wraps, v clamps. Sampled by the mean of the bilinear luminance over each texel's cell times the
+   cell's solid angle, uniformly within it (docs/sampling.md). Texel record: rgb, and the cell's density in sr^-1. */
+#include "../lib/bindings.glsl"
+#include "../lib/elementary.glsl"
+#include "../lib/emitter_sample.glsl"
+#include "../lib/frame.glsl"
+#include "../lib/random.glsl"
+
+/// Image coordinates of a direction: x in [0, W], y in [0, H], in texels.
+vec2 environment_coordinates(vec3 d) {
+  float phi = atan2_accurate(d.z, d.x) * INV_TWO_PI;
+  float u = phi < 0.0 ? phi + 1.0 : phi;
+  float v = atan2_accurate(sqrt(d.x * d.x + d.z * d.z), d.y) * INV_PI;
+  return vec2((1.0 - u) * float(frame.environment_width), (1.0 - v) * float(frame.environment_height));
+}
+
+vec4 environment_texel(uint x, uint y) { return environment_texels[y * frame.environment_width + x]; }
+
+/// Radiance arriving from direction d.
+vec3 environment_eval(vec3 d) {
+  uint w = frame.environment_width;
+  uint h = frame.environment_height;
+  vec2 at = environment_coordinates(d) - vec2(0.5);
+  vec2 base = floor(at);
+  vec2 f = at - base;
+  uint x0 = uint(int(base.x) + int(w)) % w;
+  uint x1 = (x0 + 1u) % w;
+  uint y0 = uint(clamp(int(base.y), 0, int(h) - 1));
+  uint y1 = uint(clamp(int(base.y) + 1, 0, int(h) - 1));
+  vec3 top = (1.0 - f.x) * environment_texel(x0, y0).rgb + f.x * environment_texel(x1, y0).rgb;
+  vec3 bottom = (1.0 - f.x) * environment_texel(x0, y1).rgb + f.x * environment_texel(x1, y1).rgb;
+  return (1.0 - f.y) * top + f.y * bottom;
+}
+
+/// Density, sr^-1, of sampling direction d once the environment is chosen.
+float environment_pdf(vec3 d) {
+  vec2 at = environment_coordinates(d);
+  uint x = min(uint(at.x), frame.environment_width - 1u);
+  uint y = min(uint(at.y), frame.environment_height - 1u);
+  return environment_texel(x, y).w;
+}
+
+/// Index of the row whose counts hold bits.
+uint environment_find_row(uint bits) {
+  uint low = 0u;
+  uint high = frame.environment_height - 1u;
+  for (uint k = 0u; k < 32u; ++k) {
+    if (low >= high) break;
+    uint middle = (low + high) / 2u;
+    bool below = environment_rows[middle].cumulative <= bits;
+    low = below ? middle + 1u : low;
+    high = below ? high : middle;
+  }
+  return low;
+}
+
+/// Index within the row's cells, as an index into environment_columns.
+uint environment_find_column(uint row, uint bits) {
+  uint low = row * frame.environment_width;
+  uint high = low + frame.environment_width - 1u;
+  for (uint k = 0u; k < 32u; ++k) {
+    if (low >= high) break;
+    uint middle = (low + high) / 2u;
+    bool below = environment_columns[middle] <= bits;
+    low = below ? middle + 1u : low;
+    high = below ? high : middle;
+  }
+  return low;
+}
+
+/// How far bits lies into [begin, end), in [0, 1).
+float interval_fraction(uint bits, uint begin, uint end) {
+  return min(float(bits - begin) / float(max(end - begin, 1u)), 0.99999994);
+}
+
+EmitterSample environment_sample(uint row_bits, uint column_bits) {
+  row_bits = choice_word(row_bits);
+  column_bits = choice_word(column_bits);
+  uint row = environment_find_row(row_bits);
+  uint row_begin = row > 0u ? environment_rows[row - 1u].cumulative : 0u;
+  float fy = interval_fraction(row_bits, row_begin, environment_rows[row].cumulative);
+  uint first = row * frame.environment_width;
+  uint cell = environment_find_column(row, column_bits);
+  uint cell_begin = cell > first ? environment_columns[cell - 1u] : 0u;
+  float fx = interval_fraction(column_bits, cell_begin, environment_columns[cell]);
+  float y = lerp(environment_rows[row].y_begin, environment_rows[row].y_end, fy);
+  float radius = sqrt(max((1.0 - y) * (1.0 + y), 0.0));
+  vec2 sc = sincos_turns(1.0 - (float(cell - first) + fx) / float(frame.environment_width));
+  EmitterSample r;
+  r.d = vec3(radius * sc.y, y, radius * sc.x);
+  r.pdf = environment_texels[cell].w;
+  r.radiance = environment_eval(r.d);
+  r.point = r.d;
+  r.at_infinity = true;
+  return r;
+}

@@ -1,0 +1,108 @@
+/* direct_ems, direct_mats, direct_mis, path, path_mats, path_ems, path_nee, path_mis: light transport by paths from the
+   camera. The names differ in how direct light is estimated at each surface interaction,
+
+   - ems, nee: by sampling an emitter;   - mats: by sampling the BSDF;   - mis: by both, weighted,
+
+   and in how many interactions there are: one for direct_*, `maxDepth` for path_*.
+
+   | parameter | default | meaning                                                             |
+   |-----------|---------|---------------------------------------------------------------------|
+   | maxDepth  | -1      | surface interactions, -1: unlimited                                 |
+   | heuristic | balance | MIS weights: `balance` or `power` (beta = 2), Veach and Guibas 1995 |
+
+   Emission that the camera sees directly is added once, unweighted. Russian roulette: docs/sampling.md. */
+#include "path_step.glsl"
+#include "../lib/bsdf.glsl"
+#include "../lib/emitter.glsl"
+
+/// First interaction at which roulette is played.
+const uint ROULETTE_FIRST = 4u;
+const float ROULETTE_MAX_SURVIVAL = 0.95;
+
+/// Weight of a sample of density `used` where `other` would have sampled it too.
+float mis_weight(float used, float other) {
+  float a = used;
+  float b = other;
+  if (POWER_HEURISTIC) {
+    // Divided by the larger first: squares of densities overflow.
+    float largest = max(a, b);
+    a = (a / largest) * (a / largest);
+    b = (b / largest) * (b / largest);
+  }
+  return used > 0.0 ? a / (a + b) : 0.0;
+}
+
+/// Emission at the end of a path's ray, weighted; bounce 0 is the camera's ray.
+vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
+  float weight = 1.0;
+  if (EMITTER_SAMPLING) weight = MATERIAL_SAMPLING ? mis_weight(bsdf_pdf_used, found.pdf) : 0.0;
+  return bounce == 0u ? found.radiance : weight * found.radiance;
+}
+
+/// Shadow ray for one emitter sample at s; has_shadow is false where it could contribute nothing.
+void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits) {
+  EmitterSample e = sample_emitters(s.position, bits);
+  vec3 wi = to_local(shading, e.d);
+  vec3 f = bsdf_eval(bsdf, wo, wi);
+  float weight = MATERIAL_SAMPLING ? mis_weight(e.pdf, bsdf_pdf(bsdf, wo, wi)) : 1.0;
+  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (wi.z / e.pdf));
+  vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
+  vec4 direction = e.at_infinity ? vec4(e.d, LARGEST) : vec4(e.point - from, 1.0);
+  step.shadow = ShadowRayRecord(vec4(from, 0.0), direction, contribution.r, contribution.g, contribution.b, 0u);
+  // Written so that NaN is kept: such a sample is to be counted as bad, not to vanish here.
+  bool dark = contribution.x == 0.0 && contribution.y == 0.0 && contribution.z == 0.0;
+  step.has_shadow = e.pdf > 0.0 && !dark;
+}
+
+/// The ray that continues the path from s at interaction k, by sampling the BSDF.
+void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits, uint k) {
+  BsdfSample b = bsdf_sample(bsdf, wo, unit_float(bits[BSDF_LOBE]), vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V])));
+  vec3 throughput = step.path.throughput.rgb * b.weight;
+  float survival = 1.0;
+  if (ROULETTE) {
+    float largest = max(throughput.x, max(throughput.y, throughput.z));
+    survival = k >= ROULETTE_FIRST ? min(ROULETTE_MAX_SURVIVAL, largest) : 1.0;
+  }
+  bool survives = unit_float(bits[BSDF_ROULETTE]) < survival;
+  bool dark = throughput.x == 0.0 && throughput.y == 0.0 && throughput.z == 0.0;
+  vec3 d = to_world(shading, b.wi);
+  step.path.throughput = vec4(throughput / survival, b.pdf);
+  step.next.origin = vec4(offset_ray_origin(s.position, s.magnitude, s.ng, d), 0.0);
+  step.next.direction = vec4(d, LARGEST);
+  step.alive = step.alive && survives && !dark;
+}
+
+/// Interaction k = bounce + 1 of a path whose ray has found `hit`.
+PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, uint bounce) {
+  PathStep step;
+  step.path = path;
+  step.next = ray;
+  step.shadow = ShadowRayRecord(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0u);
+  step.has_shadow = false;
+  bool missed = hit.triangle == NONE;
+  vec3 d = ray.direction.xyz;
+  Surface s = surface_at(missed ? 0u : hit.triangle, hit.b1, hit.b2);
+  FoundEmission found = emission_of_surface(s, d, hit.t);
+  if (HAS_EMITTER(environment)) {
+    FoundEmission sky = emission_of_environment(d);
+    found.radiance = missed ? sky.radiance : found.radiance;
+    found.pdf = missed ? sky.pdf : found.pdf;
+  } else {
+    found.radiance = missed ? vec3(0.0) : found.radiance;
+  }
+  step.path.radiance.rgb += path.throughput.rgb * weighted_emission(found, path.throughput.w, bounce);
+
+  uint k = bounce + 1u;
+  Frame shading = frame_from_normal(s.ns);
+  vec3 wo = to_local(shading, -d);
+  bool scatters = !missed && wo.z > 0.0 && k <= frame.max_depth;
+  BsdfRecord bsdf = bsdfs[meshes[s.mesh].bsdf];
+  if (EMITTER_SAMPLING) {
+    sample_direct_light(step, s, shading, wo, bsdf, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
+    step.has_shadow = step.has_shadow && scatters;
+  }
+  // After the last interaction only emission is looked for, which emitter sampling alone does not need.
+  step.alive = scatters && (MATERIAL_SAMPLING || k < frame.max_depth);
+  sample_continuation(step, s, shading, wo, bsdf, random_block(id, bounce_block(k) + BOUNCE_BSDF), k);
+  return step;
+}

@@ -1,0 +1,32 @@
+#version 450
+// Adds the finished samples of a pass to their pixels, in the order of the samples: the sum depends neither on queues nor on
+// the size of a pass.
+#extension GL_GOOGLE_include_directive : require
+#include "../lib/camera.glsl"
+#include "../lib/film.glsl"
+#include "../lib/specialization.glsl"
+
+layout(local_size_x = 64) in;
+
+void main() {
+  uint local = gl_GlobalInvocationID.x;
+  if (local >= pass_constants.pixel_count) return;
+  uint pixel = slot_crop_pixel(local) - pass_constants.film_first;
+  FilmRecord sums = film[pixel];
+  FilmRecord squares = sums;
+  if (VARIANCE) squares = film_squares[pixel];
+  uint bad = 0u;
+  for (uint k = 0u; k < pass_constants.sample_count; ++k) {
+    uint slot = local + k * pass_constants.pixel_count;
+    vec3 radiance = paths[slot].radiance.rgb;
+    bool good = is_good_sample(radiance);
+    vec2 offset = filter_offset(slot_sample(slot));
+    vec3 value = radiance * (filter_weight(offset.x) * filter_weight(offset.y));
+    if (good) add_sample(sums, value);
+    if (VARIANCE && good) add_sample(squares, value * value);
+    bad += good ? 0u : 1u;
+  }
+  film[pixel] = sums;
+  if (VARIANCE) film_squares[pixel] = squares;
+  if (bad > 0u) atomicAdd(counters[COUNTER_BAD_SAMPLES], bad);
+}

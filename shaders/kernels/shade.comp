@@ -1,0 +1,38 @@
+#version 450
+// Shades what the queued rays have hit: adds emission, queues a shadow ray and the path's next ray.
+#extension GL_GOOGLE_include_directive : require
+#include "../integrator/ambient_occlusion.glsl"
+#include "../integrator/depth.glsl"
+#include "../integrator/normals.glsl"
+#include "../integrator/path.glsl"
+#include "../lib/pass.glsl"
+#include "../lib/queue.glsl"
+
+layout(local_size_x = 64) in;
+
+PathStep shade(uint slot) {
+  if (INTEGRATOR == INTEGRATOR_path) {
+    return shade_path(paths[slot], rays[slot], hits[slot], slot_sample(slot), pass_constants.bounce);
+  }
+  if (INTEGRATOR == INTEGRATOR_ambient_occlusion) {
+    return shade_ambient_occlusion(paths[slot], rays[slot], hits[slot], slot_sample(slot));
+  }
+  PathStep step;
+  step.path = paths[slot];
+  step.path.radiance.rgb = INTEGRATOR == INTEGRATOR_normals ? shade_normals(hits[slot]) : shade_depth(hits[slot]);
+  step.alive = false;
+  step.has_shadow = false;
+  return step;
+}
+
+void main() {
+  uint slot = queued_slot();
+  if (slot == NONE) return;
+  PathStep step = shade(slot);
+  paths[slot] = step.path;
+  if (step.alive) {
+    rays[slot] = step.next;
+    push_path(slot);
+  }
+  if (step.has_shadow) push_shadow_ray(step.shadow, slot);
+}

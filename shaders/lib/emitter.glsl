@@ -1,0 +1,59 @@
+// Choice among the emitters, and dispatch over the kinds that the scene has.
+#ifndef FACET_EMITTER_GLSL
+#define FACET_EMITTER_GLSL
+#include "random.glsl"
+#include "specialization.glsl"
+#include "../emitter/area.glsl"
+#include "../emitter/environment.glsl"
+
+/// The emitter whose share of the 2^32 words holds bits.
+uint choose_emitter(uint bits) {
+  uint low = 0u;
+  uint high = frame.emitter_count - 1u;
+  for (uint k = 0u; k < 32u; ++k) {
+    if (low >= high) break;
+    uint middle = (low + high) / 2u;
+    bool below = emitters[middle].cumulative <= bits;
+    low = below ? middle + 1u : low;
+    high = below ? high : middle;
+  }
+  return low;
+}
+
+/// A direction towards some emitter; pdf includes the choice of the emitter.
+EmitterSample sample_emitters(vec3 from, uvec4 bits) {
+  EmitterRecord e = emitters[choose_emitter(choice_word(bits[EMITTER_CHOICE]))];
+  EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true);
+  if (HAS_EMITTER(area) && (!HAS_EMITTER(environment) || e.type == EMITTER_area)) {
+    s = area_sample(e, from, bits[EMITTER_PRIMITIVE], vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
+  }
+  if (HAS_EMITTER(environment) && (!HAS_EMITTER(area) || e.type == EMITTER_environment)) {
+    s = environment_sample(bits[EMITTER_V], bits[EMITTER_U]);
+  }
+  s.pdf *= e.probability;
+  return s;
+}
+
+/// Emission found by a ray, and the density with which sample_emitters would have sampled its direction.
+struct FoundEmission {
+  vec3 radiance;
+  float pdf;  // sr^-1
+};
+
+FoundEmission emission_of_surface(Surface s, vec3 d, float distance) {
+  FoundEmission f = FoundEmission(vec3(0.0), 0.0);
+  if (!HAS_EMITTER(area)) return f;
+  uint index = meshes[s.mesh].emitter;
+  EmitterRecord e = emitters[index == NONE ? 0u : index];
+  bool emits = index != NONE;
+  f.radiance = emits ? area_eval(e, s, d) : vec3(0.0);
+  f.pdf = emits ? area_pdf(e, s, d, distance) * e.probability : 0.0;
+  return f;
+}
+
+FoundEmission emission_of_environment(vec3 d) {
+  if (!HAS_EMITTER(environment)) return FoundEmission(vec3(0.0), 0.0);
+  return FoundEmission(environment_eval(d), environment_pdf(d) * emitters[frame.environment_emitter].probability);
+}
+
+#endif

@@ -1,0 +1,26 @@
+// Random numbers as a function of pixel, sample and dimension (docs/sampling.md, "Numbers").
+#ifndef FACET_RANDOM_GLSL
+#define FACET_RANDOM_GLSL
+#include "../shared/dimensions.h"
+#include "../shared/random_hash.h"
+
+/// What a random number depends on beside its dimension.
+struct SampleId {
+  uint pixel;   // y * width + x of the whole image
+  uint index;   // of the sample
+  uint seed;
+};
+
+/// The four words of a block.
+uvec4 random_block(SampleId id, uint block) { return pcg4d(uvec4(id.pixel, id.index, block, id.seed)); }
+
+/// A word as a number in [0, 1 - 2^-24].
+float unit_float(uint bits) { return float(bits >> 8u) * 5.96046448e-8; }
+
+/// A word for a choice by cumulative counts, of which the last is 2^32 - 1.
+uint choice_word(uint bits) { return min(bits, 0xfffffffeu); }
+
+/// First of a bounce's blocks, bounce = 1, 2, ...
+uint bounce_block(uint bounce) { return BLOCK_FIRST_BOUNCE + (bounce - 1u) * BLOCKS_PER_BOUNCE; }
+
+#endif

@@ -1,0 +1,46 @@
+// What a hit means: position, normals, material.
+#ifndef FACET_SURFACE_GLSL
+#define FACET_SURFACE_GLSL
+#include "bindings.glsl"
+#include "geometry.glsl"
+#include "specialization.glsl"
+
+struct Surface {
+  vec3 position;   // world space
+  vec3 magnitude;  // per axis, sum of |b_i v_i|: scales the bound of the position's rounding error
+  vec3 ng;         // geometric normal, unit, by the triangle's winding
+  vec3 ns;         // shading normal, unit: interpolated where the mesh has vertex normals
+  uint mesh;
+};
+
+vec3 fetch_normal(uint i) { return vec3(normals[3u * i], normals[3u * i + 1u], normals[3u * i + 2u]); }
+
+/// The point of triangle i with barycentric weights b1 and b2 of its second and third vertex.
+Surface surface_at(uint i, float b1, float b2) {
+  TriangleRecord triangle = fetch_triangle(i);
+  vec3 v0 = vertex_position(triangle.v0);
+  vec3 v1 = vertex_position(triangle.v1);
+  vec3 v2 = vertex_position(triangle.v2);
+  float b0 = (1.0 - b1) - b2;
+  Surface s;
+  vec3 p0 = b0 * v0;
+  vec3 p1 = b1 * v1;
+  vec3 p2 = b2 * v2;
+  s.position = (p0 + p1) + p2;
+  s.magnitude = (abs(p0) + abs(p1)) + abs(p2);
+  vec3 e1 = normalize_safe(v1 - v0);
+  vec3 e2 = normalize_safe(v2 - v0);
+  s.ng = normalize_safe(cross3(e1, e2));
+  s.ns = s.ng;
+  s.mesh = triangle.v0.w;
+  if (SHADING_NORMALS) {
+    uint index = triangle.v2.w;
+    bool has = index != NONE;
+    uvec4 n = normal_indices[has ? index : 0u];
+    vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x) + b1 * fetch_normal(n.y)) + b2 * fetch_normal(n.z));
+    s.ns = (has && interpolated != vec3(0.0)) ? interpolated : s.ng;
+  }
+  return s;
+}
+
+#endif

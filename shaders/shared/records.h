@@ -1,0 +1,182 @@
+// The records that host and kernels exchange. One definition each; a test compares the offsets of the compiled
+// kernels with C++'s.
+#ifndef FACET_SHARED_RECORDS_H
+#define FACET_SHARED_RECORDS_H
+#include "types.h"
+FACET_SHARED_BEGIN
+
+/// No triangle was hit; also: no emitter, no normals.
+FACET_CONSTANT uint NONE = 0xffffffffu;
+
+// A child reference of a BVH node: an inner node's index, or a leaf: bit 31, three bits of triangle count (0 to 6),
+// 28 bits of first triangle.
+FACET_CONSTANT uint REFERENCE_LEAF = 0x80000000u;
+FACET_CONSTANT uint REFERENCE_COUNT_SHIFT = 28u;
+FACET_CONSTANT uint REFERENCE_COUNT_MASK = 7u;
+FACET_CONSTANT uint REFERENCE_FIRST_MASK = 0x0fffffffu;
+/// The stack is empty (a leaf of seven triangles, which the builder never makes).
+FACET_CONSTANT uint REFERENCE_DONE = 0xffffffffu;
+
+/// A BVH node of four children, 64 bytes, fetched as four RGBA32UI texels. A child's box along axis a is
+/// [origin[a] + lo * 2^e[a], origin[a] + hi * 2^e[a]], lo and hi being bytes of `lower` and `upper`.
+struct BvhNode {
+  uvec4 origin_exponents;  // x, y, z: bits of the floats; w: byte a is the biased exponent of axis a
+  uvec4 children;          // references
+  uvec4 lower;             // x, y, z: byte c is child c's lower plane; w: upper planes of x
+  uvec4 upper;             // x, y: upper planes of y and z; z, w: free
+};
+
+/// A triangle in the order of the BVH's leaves, 48 bytes, fetched as three RGBA32UI texels: integers, since small ones kept in
+/// floats would be denormals, which a device may flush. x, y, z: bits of the vertex' position, world space.
+struct TriangleRecord {
+  uvec4 v0;  // w: the mesh's index
+  uvec4 v1;  // w: the triangle's index in the scene, in order of reading
+  uvec4 v2;  // w: index into the vertex-normal indices, NONE without normals
+};
+
+struct MeshRecord {
+  uint bsdf;
+  uint emitter;  // NONE for a mesh that does not emit
+  uint unused0;
+  uint unused1;
+};
+
+/// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf.
+struct BsdfRecord {
+  uint type;  // id of bsdf_list.h
+  uint unused0;
+  uint unused1;
+  uint unused2;
+  vec4 a;
+  vec4 b;
+};
+
+struct EmitterRecord {
+  vec4 radiance;  // rgb, W sr^-1 m^-2; w: area in m^2 (area emitters)
+  uint type;      // id of emitter_list.h
+  uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's (docs/sampling.md)
+  uint first_triangle;  // range of emitter_triangles
+  uint triangle_count;
+  float probability;  // of being chosen
+  uint unused0;
+  uint unused1;
+  uint unused2;
+};
+
+/// One triangle of an area emitter: x: cumulative count of bits within its mesh, y: index of the Triangle.
+struct EmitterTriangle {
+  uint cumulative;
+  uint triangle;
+};
+
+/// A row of cells of the environment's sampling density; y is the direction's y.
+struct EnvironmentRow {
+  uint cumulative;
+  float y_begin;
+  float y_end;
+  uint unused0;
+};
+
+/// What stays the same for a whole render.
+struct FrameRecord {
+  vec4 camera_origin;  // world space; w: nearClip
+  vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world space; w: farClip
+  vec4 camera_dx;      // change of that direction per pixel to the right
+  vec4 camera_dy;      // change per pixel downwards
+  uint width;          // of the whole image, pixels
+  uint height;
+  uint crop_x;
+  uint crop_y;
+  uint crop_width;
+  uint crop_height;
+  uint seed;
+  uint max_depth;  // surface interactions, NONE: unlimited
+  uint emitter_count;
+  uint environment_emitter;  // index of the environment, NONE without
+  uint environment_width;    // texels
+  uint environment_height;
+  uint filter_intervals;
+  float filter_crossing;  // |offset| beyond which the filter is negative, pixels
+  float filter_scale;     // integral of |f| over integral of f, along one axis
+  uint unused0;
+};
+
+struct RayRecord {
+  vec4 origin;     // world space; w: t_min
+  vec4 direction;  // world space; w: t_max
+};
+
+struct HitRecord {
+  float t;  // in lengths of the ray's direction
+  uint triangle;  // NONE: a miss
+  float b1;  // barycentric weights of v1 and v2
+  float b2;
+};
+
+struct PathRecord {
+  vec4 throughput;  // rgb; w: pdf of the BSDF sample that made the ray, sr^-1
+  vec4 radiance;    // rgb, W sr^-1 m^-2
+};
+
+struct ShadowRayRecord {
+  vec4 origin;     // world space; w: t_min
+  vec4 direction;  // world space; w: t_max
+  float contribution_r;  // added to the path's radiance where nothing is in between
+  float contribution_g;
+  float contribution_b;
+  uint slot;  // of the path
+};
+
+/// One pixel: sums over samples, each as an unevaluated sum hi + lo of two floats.
+struct FilmRecord {
+  float hi_r;
+  float hi_g;
+  float hi_b;
+  uint samples;
+  float lo_r;
+  float lo_g;
+  float lo_b;
+  uint nonzero;  // samples whose value is not zero
+};
+
+/// A pass: which pixels and samples the slots stand for (push constants).
+struct PassConstants {
+  uint first_pixel;   // within the crop
+  uint pixel_count;
+  uint first_sample;
+  uint sample_count;  // per pixel
+  uint bounce;        // 0: rays from the camera
+  uint queue;         // 0 or 1: which half of the queues is read
+  uint stride;        // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
+  uint stage;         // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
+  uint film_first;    // crop pixel of the film's first record
+  uint unused0;
+  uint unused1;
+  uint unused2;
+};
+
+/// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.
+FACET_CONSTANT uint COUNTER_ACTIVE = 0u;       // two words: paths in each queue
+FACET_CONSTANT uint COUNTER_SHADOW = 2u;       // shadow rays waiting
+FACET_CONSTANT uint COUNTER_CLOSEST_RAYS = 3u; // rays traced since the pass began
+FACET_CONSTANT uint COUNTER_ANY_RAYS = 4u;
+FACET_CONSTANT uint COUNTER_BOUND_HITS = 5u;
+FACET_CONSTANT uint COUNTER_BAD_SAMPLES = 6u;
+FACET_CONSTANT uint INDIRECT_PATHS = 8u;
+FACET_CONSTANT uint INDIRECT_SHADOW = 12u;
+FACET_CONSTANT uint COUNTER_WORDS = 16u;
+
+FACET_SHARED_END
+
+#ifdef __cplusplus
+namespace facet::shared {
+static_assert(sizeof(BvhNode) == 64 && sizeof(TriangleRecord) == 48 && sizeof(MeshRecord) == 16);
+static_assert(sizeof(BsdfRecord) == 48 && sizeof(EmitterRecord) == 48 && sizeof(EmitterTriangle) == 8);
+static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 128 && sizeof(RayRecord) == 32);
+static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32 && sizeof(ShadowRayRecord) == 48);
+static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
+static_assert(offsetof(FrameRecord, width) == 64 && offsetof(FrameRecord, emitter_count) == 96);
+static_assert(offsetof(EmitterRecord, type) == 16 && offsetof(EmitterRecord, probability) == 32);
+}  // namespace facet::shared
+#endif
+#endif
