@@ -44,8 +44,8 @@ struct Bounds {
   }
 };
 
-/// Folds ranges of the primitives into one result; in parallel where there are many. The result does not depend on the
-/// order of folding, since it only takes minima, maxima and sums of integers.
+/// Folds ranges of the primitives into one result; in parallel where there are many. The result does not
+/// depend on the order of folding, since it only takes minima, maxima and sums of integers.
 template <typename Result, typename Fold>
 Result fold(std::span<const BvhPrimitive> primitives, const Result& empty, const Fold& fold_range) {
   Result total = empty;
@@ -91,8 +91,8 @@ struct BinSet {
 };
 
 struct Split {
-  int axis = -1;  ///< -1: none found
-  std::size_t bin = 0;  ///< first bin of the right side
+  int axis = -1;                                        ///< -1: none found
+  std::size_t bin = 0;                                  ///< first bin of the right side
   float cost = std::numeric_limits<float>::infinity();  ///< sum over both sides of half area x count
 };
 
@@ -137,7 +137,8 @@ class Builder {
   }
 
  private:
-  /// Fills the node's box and either makes it a leaf (returns first) or partitions its primitives (returns the middle).
+  /// Fills the node's box and either makes it a leaf (returns first) or partitions its primitives (returns
+  /// the middle).
   std::uint32_t split(BinaryNode& node, std::uint32_t first, std::uint32_t count, int depth) {
     const std::span<BvhPrimitive> range = primitives_.subspan(first, count);
     const Bounds bounds = fold(range, Bounds{}, [](Bounds& b, std::span<const BvhPrimitive> part) {
@@ -181,21 +182,23 @@ class Builder {
   }
 
   /// Halves by count along the widest axis of the centres; ties by index keep it deterministic.
-  static std::uint32_t split_by_count(std::span<BvhPrimitive> range, const Box& centres, std::uint32_t first) {
+  static std::uint32_t split_by_count(std::span<BvhPrimitive> range, const Box& centres,
+                                      std::uint32_t first) {
     const vec3 extent = centres.extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
     const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
-    std::nth_element(range.begin(), middle, range.end(), [axis](const BvhPrimitive& a, const BvhPrimitive& b) {
-      const float ca = a.centre2()[axis];
-      const float cb = b.centre2()[axis];
-      return ca != cb ? ca < cb : a.index < b.index;
-    });
+    std::nth_element(range.begin(), middle, range.end(),
+                     [axis](const BvhPrimitive& a, const BvhPrimitive& b) {
+                       const float ca = a.centre2()[axis];
+                       const float cb = b.centre2()[axis];
+                       return ca != cb ? ca < cb : a.index < b.index;
+                     });
     return first + static_cast<std::uint32_t>(range.size() / 2);
   }
 
   /// The two sides as tasks of their own, appended in a fixed order.
-  void build_both_in_parallel(std::vector<BinaryNode>& nodes, std::uint32_t at, std::uint32_t first, std::uint32_t middle,
-                              std::uint32_t count, int depth) {
+  void build_both_in_parallel(std::vector<BinaryNode>& nodes, std::uint32_t at, std::uint32_t first,
+                              std::uint32_t middle, std::uint32_t count, int depth) {
     std::array<std::vector<BinaryNode>, 2> sides;
     parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {

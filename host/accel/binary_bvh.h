@@ -29,7 +29,8 @@ struct BinaryNode {
 };
 
 /// Sorts the primitives into leaf order and returns the nodes, the root first. At least one primitive.
-/// Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007.
+/// Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
+/// RT 2007.
 [[nodiscard]] std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives);
 
 }  // namespace facet

@@ -26,7 +26,8 @@ std::uint32_t step_exponent(float extent) {
 /// Collapses the binary hierarchy into nodes of four children with quantised boxes.
 class Collapser {
  public:
-  Collapser(const std::vector<BinaryNode>& binary, std::vector<shared::BvhNode>& nodes) : binary_(binary), nodes_(nodes) {}
+  Collapser(const std::vector<BinaryNode>& binary, std::vector<shared::BvhNode>& nodes)
+      : binary_(binary), nodes_(nodes) {}
 
   /// Node for binary node `root`, appended with its descendants; returns the stack that its traversal needs.
   std::uint32_t collapse(std::uint32_t root) {
@@ -98,8 +99,10 @@ class Collapser {
         if (c < count) {
           const Box& child = binary_[children[c]].box;
           const double origin = box.lower[a];
-          lo = static_cast<std::uint32_t>(std::clamp(std::floor((child.lower[a] - origin) / step), 0.0, 255.0));
-          hi = static_cast<std::uint32_t>(std::clamp(std::ceil((child.upper[a] - origin) / step), 0.0, 255.0));
+          lo = static_cast<std::uint32_t>(
+              std::clamp(std::floor((child.lower[a] - origin) / step), 0.0, 255.0));
+          hi =
+              static_cast<std::uint32_t>(std::clamp(std::ceil((child.upper[a] - origin) / step), 0.0, 255.0));
         }
         lower[static_cast<std::size_t>(a)] |= lo << (8 * c);
         upper[static_cast<std::size_t>(a)] |= hi << (8 * c);
@@ -131,7 +134,8 @@ std::vector<BvhPrimitive> make_primitives(std::span<const TriangleCorners> trian
 
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   if (triangles.size() > largest_triangle_count) {
-    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(), largest_triangle_count));
+    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(),
+                                 largest_triangle_count));
   }
   Bvh bvh;
   if (triangles.empty()) {
@@ -154,7 +158,8 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   bvh.nodes.shrink_to_fit();
   bvh.sah_cost = collapser.visit_cost() / std::max(1e-30, static_cast<double>(bvh.bounds.half_area()));
   bvh.order.resize(primitives.size());
-  std::transform(primitives.begin(), primitives.end(), bvh.order.begin(), [](const BvhPrimitive& p) { return p.index; });
+  std::transform(primitives.begin(), primitives.end(), bvh.order.begin(),
+                 [](const BvhPrimitive& p) { return p.index; });
   return bvh;
 }
 

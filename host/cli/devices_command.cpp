@@ -15,14 +15,17 @@ ExitCode list_devices() {
   const std::vector<gpu::DeviceInfo> devices = instance.devices();
   for (const gpu::DeviceInfo& d : devices) {
     fmt::print("{}: {}\n", d.index, d.name);
-    fmt::print("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver, VK_API_VERSION_MAJOR(d.api_version),
-               VK_API_VERSION_MINOR(d.api_version), VK_API_VERSION_PATCH(d.api_version),
-               with_unit_prefix(static_cast<double>(d.memory_bytes)));
-    fmt::print("   {}\n", d.lacks.empty() ? "has everything facet needs" : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+    fmt::print("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver,
+               VK_API_VERSION_MAJOR(d.api_version), VK_API_VERSION_MINOR(d.api_version),
+               VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
+    fmt::print("   {}\n", d.lacks.empty() ? "has everything facet needs"
+                                          : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
   }
   fmt::print("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
   const gpu::DeviceInfo chosen = instance.choose("");
-  const char* why = devices.size() == 1 ? "the only device" : "the first of the best kind: discrete, then integrated, virtual, CPU";
+  const char* why = devices.size() == 1
+                        ? "the only device"
+                        : "the first of the best kind: discrete, then integrated, virtual, CPU";
   fmt::print("used: {}: {} ({}; --device chooses another)\n", chosen.index, chosen.name, why);
   return ExitCode::done;
 }
@@ -30,7 +33,8 @@ ExitCode list_devices() {
 }  // namespace
 
 void add_devices_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("devices", "List the Vulkan devices, what each lacks, and which one is used and why");
+  CLI::App* command = app.add_subcommand(
+      "devices", "List the Vulkan devices, what each lacks, and which one is used and why");
   command->callback([&action] { action = list_devices; });
 }
 

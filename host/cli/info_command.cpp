@@ -1,4 +1,5 @@
-// facet info: what a scene holds, and what will be compiled for it; or what of the scene language is supported.
+// facet info: what a scene holds, and what will be compiled for it; or what of the scene language is
+// supported.
 #include <fmt/format.h>
 
 #include <map>
@@ -44,7 +45,8 @@ std::string describe(const Mesh& mesh, const Scene& scene) {
 #undef FACET_NAME
   const std::string bsdf = bsdf_names[scene.bsdfs[mesh.bsdf].index()];
   return fmt::format("{}: {} triangles, {}{}{}", mesh.name, mesh.position_indices.size(), bsdf,
-                     mesh.normal_indices.empty() ? "" : ", vertex normals", mesh.emitter == none ? "" : ", emits");
+                     mesh.normal_indices.empty() ? "" : ", vertex normals",
+                     mesh.emitter == none ? "" : ", emits");
 }
 
 ExitCode print_info(const InfoOptions& options) {
@@ -59,25 +61,32 @@ ExitCode print_info(const InfoOptions& options) {
   print_warnings(diagnostics);
   const PackedScene packed = pack_scene(scene);
   const Features features = find_features(scene, RenderSettings{});
-  const std::size_t geometry = bytes_of(packed.bvh.nodes) + bytes_of(packed.triangles) + bytes_of(packed.normal_indices) + bytes_of(packed.normals);
-  const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) + bytes_of(packed.environment.columns) +
-                           bytes_of(packed.emitter_triangles);
-  fmt::print("{}: {} x {} pixels, {} samples, {}\n", options.scene, scene.camera.width, scene.camera.height, scene.sample_count,
+  const std::size_t geometry = bytes_of(packed.bvh.nodes) + bytes_of(packed.triangles) +
+                               bytes_of(packed.normal_indices) + bytes_of(packed.normals);
+  const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
+                           bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles);
+  fmt::print("{}: {} x {} pixels, {} samples, {}\n", options.scene, scene.camera.width, scene.camera.height,
+             scene.sample_count,
              scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
-  fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(), packed.triangles.size());
+  fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
+             packed.triangles.size());
   for (const Mesh& mesh : scene.meshes) fmt::print("  {}\n", describe(mesh, scene));
   fmt::print("bsdfs: {}, emitters: {}\n", scene.bsdfs.size(), scene.emitters.size());
   for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
     const auto* area = std::get_if<AreaEmitter>(&scene.emitters[i]);
     fmt::print("  {}: chosen with probability {:.3g}\n",
                area != nullptr ? fmt::format("area emitter {}", scene.meshes[area->mesh].name)
-                               : fmt::format("environment {} x {}", packed.frame.environment_width, packed.frame.environment_height),
+                               : fmt::format("environment {} x {}", packed.frame.environment_width,
+                                             packed.frame.environment_height),
                packed.emitters[i].probability);
   }
-  fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.nodes.size(), packed.bvh.sah_cost,
-             packed.bvh.stack_size, packed.bvh_seconds);
-  fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters {}B\n", with_unit_prefix(static_cast<double>(geometry)),
-             packed.triangles.empty() ? 0.0 : static_cast<double>(geometry) / static_cast<double>(packed.triangles.size()),
+  fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.nodes.size(),
+             packed.bvh.sah_cost, packed.bvh.stack_size, packed.bvh_seconds);
+  fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters {}B\n",
+             with_unit_prefix(static_cast<double>(geometry)),
+             packed.triangles.empty()
+                 ? 0.0
+                 : static_cast<double>(geometry) / static_cast<double>(packed.triangles.size()),
              with_unit_prefix(static_cast<double>(rest)));
   fmt::print("compiled for it: {}\n", fmt::join(features.names(), ", "));
   return ExitCode::done;
@@ -89,7 +98,8 @@ void add_info_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Show what a scene holds and what will be compiled for it");
   command->add_option("scene", options->scene, "Scene file (XML)");
-  command->add_flag("--supported", options->supported, "List the plugins of the scene language, supported and not yet");
+  command->add_flag("--supported", options->supported,
+                    "List the plugins of the scene language, supported and not yet");
   command->add_flag("--strict", options->strict, "Warnings are errors");
   command->callback([options, &action] { action = [options] { return print_info(*options); }; });
 }

@@ -16,7 +16,8 @@ namespace {
 const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
 /// Commands of the contract that are still to come.
-const std::vector<std::string> planned_commands{"compare", "test", "bench", "tradeoff", "parity", "extremes", "merge"};
+const std::vector<std::string> planned_commands{"compare", "test",     "bench", "tradeoff",
+                                                "parity",  "extremes", "merge"};
 
 int fail(const std::string& message, ExitCode code) {
   fmt::print(stderr, "facet: {}\n", message);
@@ -28,7 +29,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   const std::string first = argc > 1 ? argv[1] : "";
-  if (first.empty() || first.starts_with('-') || std::find(known.begin(), known.end(), first) != known.end()) {
+  if (first.empty() || first.starts_with('-') ||
+      std::find(known.begin(), known.end(), first) != known.end()) {
     return fmt::format("{}; \"facet --help\" lists what there is", error.what());
   }
   if (std::find(planned_commands.begin(), planned_commands.end(), first) != planned_commands.end()) {
@@ -56,11 +58,13 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-double seconds_since_start() { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+double seconds_since_start() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 std::string version_text() {
-  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER, VK_API_VERSION_MAJOR(FACET_VULKAN),
-                     VK_API_VERSION_MINOR(FACET_VULKAN));
+  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER,
+                     VK_API_VERSION_MAJOR(FACET_VULKAN), VK_API_VERSION_MINOR(FACET_VULKAN));
 }
 
 }  // namespace facet::cli

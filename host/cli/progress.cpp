@@ -11,7 +11,9 @@ namespace {
 
 constexpr int bar_width = 24;
 
-double seconds_left(double done, const RenderStatistics& s) { return done > 0 ? s.render_seconds * (1 - done) / done : 0; }
+double seconds_left(double done, const RenderStatistics& s) {
+  return done > 0 ? s.render_seconds * (1 - done) / done : 0;
+}
 
 std::string rays_per_second(const RenderStatistics& s) {
   const auto rays = static_cast<double>(s.closest_rays + s.any_rays);
@@ -43,8 +45,9 @@ void Progress::draw_bar(double done, const RenderStatistics& s) {
   }
   const int filled = static_cast<int>(done * bar_width);
   const std::string error = error_ > 0 ? fmt::format("  error {:.2g}", error_) : "";
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}samples  {}{}  {:.0f} s left \x1b[K", "", filled, "", bar_width - filled,
-             100 * done, with_unit_prefix(static_cast<double>(s.samples)) + " ", rays_per_second(s), error, seconds_left(done, s));
+  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}samples  {}{}  {:.0f} s left \x1b[K", "", filled, "",
+             bar_width - filled, 100 * done, with_unit_prefix(static_cast<double>(s.samples)) + " ",
+             rays_per_second(s), error, seconds_left(done, s));
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -55,14 +55,16 @@ class RenderJob {
     warn_about_scene(scene_, diagnostics);
     print_warnings(diagnostics);
     // Sums of squares serve the variance channels and the error estimates of the report and the progress bar.
-    settings_.variance = options_.wants_variance_channels() || !options_.json.empty() || (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
+    settings_.variance = options_.wants_variance_channels() || !options_.json.empty() ||
+                         (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
     load_seconds_ = seconds_since_start() - start;
   }
 
   void render(gpu::Device& device, const PackedScene& packed, const Features& features) {
     Renderer renderer(device, packed, features, settings_);
-    Progress progress(options_.quiet, settings_.variance ? [&renderer] { return std::sqrt(estimate_relmse(renderer.film())); }
-                                                         : std::function<double()>{});
+    Progress progress(options_.quiet,
+                      settings_.variance ? [&renderer] { return std::sqrt(estimate_relmse(renderer.film())); }
+                                         : std::function<double()>{});
     catch_interrupts();
     renderer.render([&](double done, const RenderStatistics& statistics) {
       progress.update(done, statistics);
@@ -72,7 +74,8 @@ class RenderJob {
     statistics_ = renderer.statistics();
     const FilmData film = renderer.film();
     relmse_ = estimate_relmse(film);
-    image_ = develop(film, settings_.crop, scene_.camera.width, scene_.camera.height, options_.wants_variance_channels());
+    image_ = develop(film, settings_.crop, scene_.camera.width, scene_.camera.height,
+                     options_.wants_variance_channels());
   }
 
   void write() {
@@ -141,14 +144,17 @@ class RenderJob {
         {"error_estimate", {{"relmse", relmse_}, {"relative", std::sqrt(relmse_)}}},
         {"bad_samples", s.bad_samples},
         {"bound_hits", s.bound_hits},
-        {"memory", {{"device_bytes", s.device_bytes}, {"host_peak_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024}}},
+        {"memory",
+         {{"device_bytes", s.device_bytes},
+          {"host_peak_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024}}},
         {"output", files_},
     };
   }
 
   void report() const {
     if (options_.pixel) {
-      fmt::print("pixel {}: {:.9g} {:.9g} {:.9g}\n", *options_.pixel, image_.at(0, 0, 0), image_.at(0, 0, 1), image_.at(0, 0, 2));
+      fmt::print("pixel {}: {:.9g} {:.9g} {:.9g}\n", *options_.pixel, image_.at(0, 0, 0), image_.at(0, 0, 1),
+                 image_.at(0, 0, 2));
     }
     if (options_.json == "-") fmt::print("{}\n", make_json().dump(2));
     if (!options_.json.empty() && options_.json != "-") {
@@ -158,12 +164,12 @@ class RenderJob {
     }
     if (options_.quiet) return;
     const RenderStatistics& s = statistics_;
-    fmt::print(stderr, "{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", options_.scene, scene_.integrator.type.name,
-               scene_.triangle_count(), image_.width(), image_.height(), settings_.end_sample - settings_.first_sample,
-               was_interrupted() ? " (interrupted)" : "");
-    fmt::print(stderr, "{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, device_.name,
-               with_unit_prefix(per_second(s.samples)) + " ", with_unit_prefix(per_second(s.closest_rays + s.any_rays)) + " ",
-               seconds_since_start());
+    fmt::print(stderr, "{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", options_.scene,
+               scene_.integrator.type.name, scene_.triangle_count(), image_.width(), image_.height(),
+               settings_.end_sample - settings_.first_sample, was_interrupted() ? " (interrupted)" : "");
+    fmt::print(stderr, "{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds,
+               device_.name, with_unit_prefix(per_second(s.samples)) + " ",
+               with_unit_prefix(per_second(s.closest_rays + s.any_rays)) + " ", seconds_since_start());
     if (!files_.empty()) fmt::print(stderr, "wrote {}\n", fmt::join(files_, " and "));
   }
 
@@ -171,13 +177,17 @@ class RenderJob {
   [[nodiscard]] ExitCode exit_code(const gpu::ValidationLog& validation) const {
     for (const std::string& message : validation.messages) fmt::print(stderr, "validation: {}\n", message);
     if (statistics_.bad_samples > 0) {
-      fmt::print(stderr, "warning: {} samples were dropped: NaN, infinite or negative\n", statistics_.bad_samples);
+      fmt::print(stderr, "warning: {} samples were dropped: NaN, infinite or negative\n",
+                 statistics_.bad_samples);
     }
     if (statistics_.bound_hits > 0) {
-      fmt::print(stderr, "warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n", statistics_.bound_hits);
+      fmt::print(stderr,
+                 "warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n",
+                 statistics_.bound_hits);
     }
     if (was_interrupted()) return ExitCode::interrupted;
-    return validation.messages.empty() && statistics_.bound_hits == 0 ? ExitCode::done : ExitCode::check_failed;
+    return validation.messages.empty() && statistics_.bound_hits == 0 ? ExitCode::done
+                                                                      : ExitCode::check_failed;
   }
 
   const RenderOptions& options_;

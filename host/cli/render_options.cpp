@@ -11,8 +11,8 @@ namespace facet::cli {
 namespace {
 
 /// Exactly `count` integers of at least 0, separated by a character.
-std::vector<long long> parse_integers(const std::string& text, char separator, std::size_t count, const std::string& option,
-                                      const std::string& form) {
+std::vector<long long> parse_integers(const std::string& text, char separator, std::size_t count,
+                                      const std::string& option, const std::string& form) {
   std::vector<long long> numbers;
   std::string_view rest = text;
   while (true) {
@@ -46,42 +46,53 @@ Crop parse_crop(const RenderOptions& options, const Camera& camera) {
   }
   if (v[0] >= v[2] || v[1] >= v[3] || v[2] > camera.width || v[3] > camera.height) {
     throw InputError(fmt::format("{} lies outside the image of {}x{} pixels or is empty",
-                                 options.pixel ? "--pixel " + *options.pixel : "--crop " + *options.crop, camera.width, camera.height));
+                                 options.pixel ? "--pixel " + *options.pixel : "--crop " + *options.crop,
+                                 camera.width, camera.height));
   }
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
 }
 
 }  // namespace
 
-bool RenderOptions::wants_variance_channels() const { return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end(); }
+bool RenderOptions::wants_variance_channels() const {
+  return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
+}
 
 void add_render_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
-  command.add_option("-o,--output", o.outputs, "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here");
+  command.add_option("-o,--output", o.outputs,
+                     "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here");
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
   command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
   command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
-  command.add_option("--max-depth", o.max_depth, "Surface interactions of a path, -1: unlimited")->check(CLI::Range(-1, 1 << 30));
+  command.add_option("--max-depth", o.max_depth, "Surface interactions of a path, -1: unlimited")
+      ->check(CLI::Range(-1, 1 << 30));
   command.add_option("--resolution", o.resolution, "Size of the image, WxH");
   command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
   command.add_option("--seed", o.seed, "Seed of the random numbers");
-  command.add_option("--sample-range", o.sample_range, "Render only the samples A:B of each pixel (B excluded)");
+  command.add_option("--sample-range", o.sample_range,
+                     "Render only the samples A:B of each pixel (B excluded)");
   command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
   command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
-  command.add_option("--sampling", o.sampling, "Half vectors of rough lobes: from the ndf, or visible from the viewer")
+  command
+      .add_option("--sampling", o.sampling,
+                  "Half vectors of rough lobes: from the ndf, or visible from the viewer")
       ->check(CLI::IsMember({"ndf", "visible"}))
       ->capture_default_str();
   command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
-  command.add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
+  command
+      .add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
       ->check(CLI::IsMember({"uniform", "power"}));
   command.add_option("--aov", o.aovs, "Further EXR channels: variance (of each pixel's mean)")
       ->delimiter(',')
       ->check(CLI::IsMember({"variance"}));
-  command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")->check(CLI::Range(-100.F, 100.F));
+  command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")
+      ->check(CLI::Range(-100.F, 100.F));
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
   command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
   command.add_flag("--strict", o.strict, "Warnings are errors");
-  command.add_flag("--validate", o.validate, "Turn the Vulkan validation layers on; any message of theirs fails the render");
+  command.add_flag("--validate", o.validate,
+                   "Turn the Vulkan validation layers on; any message of theirs fails the render");
 }
 
 void apply_to_scene(const RenderOptions& o, Scene& scene) {
@@ -89,18 +100,22 @@ void apply_to_scene(const RenderOptions& o, Scene& scene) {
     const auto type = find_integrator_type(*o.integrator);
     if (!type) {
       throw InputError(fmt::format("--integrator \"{}\": unknown{}; there are: {}", *o.integrator,
-                                   did_you_mean(*o.integrator, integrator_names()), fmt::join(integrator_names(), ", ")));
+                                   did_you_mean(*o.integrator, integrator_names()),
+                                   fmt::join(integrator_names(), ", ")));
     }
     scene.integrator.type = *type;
   }
   if (scene.integrator.type.name.empty()) {
     throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator", o.scene));
   }
-  if (o.sampler && *o.sampler != "independent") throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
+  if (o.sampler && *o.sampler != "independent")
+    throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
   if (o.max_depth) scene.integrator.max_depth = *o.max_depth;
-  if (!o.heuristic.empty()) scene.integrator.heuristic = o.heuristic == "power" ? Heuristic::power : Heuristic::balance;
+  if (!o.heuristic.empty())
+    scene.integrator.heuristic = o.heuristic == "power" ? Heuristic::power : Heuristic::balance;
   if (!o.emitter_selection.empty()) {
-    scene.emitter_selection = o.emitter_selection == "uniform" ? EmitterSelection::uniform : EmitterSelection::power;
+    scene.emitter_selection =
+        o.emitter_selection == "uniform" ? EmitterSelection::uniform : EmitterSelection::power;
   }
   if (o.resolution) {
     const auto size = parse_integers(*o.resolution, 'x', 2, "--resolution", "WxH");
@@ -118,7 +133,8 @@ RenderSettings make_settings(const RenderOptions& o, const Scene& scene) {
   settings.end_sample = static_cast<std::uint32_t>(scene.sample_count);
   if (o.sample_range) {
     const auto range = parse_integers(*o.sample_range, ':', 2, "--sample-range", "A:B");
-    if (range[0] >= range[1] || range[1] > (1LL << 30)) throw InputError(fmt::format("--sample-range {}: empty or too large", *o.sample_range));
+    if (range[0] >= range[1] || range[1] > (1LL << 30))
+      throw InputError(fmt::format("--sample-range {}: empty or too large", *o.sample_range));
     settings.first_sample = static_cast<std::uint32_t>(range[0]);
     settings.end_sample = static_cast<std::uint32_t>(range[1]);
   }

@@ -12,7 +12,8 @@ bool is_clipped_away(const Scene& scene) {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
   for (int corner = 0; corner < 8; ++corner) {
-    const dvec3 p((corner & 1) != 0 ? box.upper.x : box.lower.x, (corner & 2) != 0 ? box.upper.y : box.lower.y,
+    const dvec3 p((corner & 1) != 0 ? box.upper.x : box.lower.x,
+                  (corner & 2) != 0 ? box.upper.y : box.lower.y,
                   (corner & 4) != 0 ? box.upper.z : box.lower.z);
     const double z = (to_camera * glm::dvec4(p, 1)).z;
     nearest = std::min(nearest, z);
@@ -27,11 +28,14 @@ void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
   const SourceLocation where{scene.file.string(), 0};
   if (scene.triangle_count() == 0) diagnostics.warn(where, "the scene has no triangles");
   if (scene.integrator.needs_emitters() && scene.emitters.empty()) {
-    diagnostics.warn(where, fmt::format("the scene has no emitter, which {} needs: the image will be black", scene.integrator.type.name));
+    diagnostics.warn(where, fmt::format("the scene has no emitter, which {} needs: the image will be black",
+                                        scene.integrator.type.name));
   }
   if (is_clipped_away(scene)) {
-    diagnostics.warn(where, fmt::format("the whole scene lies outside the camera's clip planes (nearClip {:g}, farClip {:g})",
-                                        scene.camera.near_clip, scene.camera.far_clip));
+    diagnostics.warn(
+        where,
+        fmt::format("the whole scene lies outside the camera's clip planes (nearClip {:g}, farClip {:g})",
+                    scene.camera.near_clip, scene.camera.far_clip));
   }
 }
 

@@ -11,9 +11,9 @@ namespace facet {
 /// Exit codes of the command line, which scripts depend on.
 enum class ExitCode : int {
   done = 0,
-  check_failed = 1,    ///< a comparison or test did not hold
-  bad_input = 2,       ///< wrong usage, bad scene, unreadable or unwritable file
-  device_failed = 3,   ///< no usable device, or it failed
+  check_failed = 1,   ///< a comparison or test did not hold
+  bad_input = 2,      ///< wrong usage, bad scene, unreadable or unwritable file
+  device_failed = 3,  ///< no usable device, or it failed
   interrupted = 130,
 };
 

@@ -7,9 +7,9 @@ namespace facet {
 
 using glm::dmat4;
 using glm::dvec3;
+using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
-using glm::uvec3;
 
 /// Linear colour, Rec. 709 primaries.
 using Color = glm::vec3;

@@ -18,7 +18,8 @@ namespace facet {
 [[nodiscard]] std::vector<std::string_view> split_list(std::string_view text);
 
 /// The candidate most like `name`, by edit distance, if any is near enough to be meant.
-[[nodiscard]] std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
+[[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
+                                                      std::span<const std::string> candidates);
 
 /// " ; did you mean ...?" for an error message, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);

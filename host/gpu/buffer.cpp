@@ -19,16 +19,21 @@ vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes, vk::Buff
 }  // namespace
 
 Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what)
-    : device_(&device), size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, 16)), buffer_(nullptr), memory_(nullptr) {
+    : device_(&device),
+      size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, 16)),
+      buffer_(nullptr),
+      memory_(nullptr) {
   using Memory = vk::MemoryPropertyFlagBits;
   const bool staging = static_cast<bool>(usage & vk::BufferUsageFlagBits::eTransferSrc);
   // Staging memory is the host's.
   if (!staging) device.reserve(size_, what);
   try {
-    buffer_ = make_buffer(device, size_, usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);
+    buffer_ = make_buffer(
+        device, size_, usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);
     const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
     const std::uint32_t type =
-        staging ? device.memory_type(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent, Memory::eHostCached)
+        staging ? device.memory_type(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
+                                     Memory::eHostCached)
                 : device.memory_type(needs.memoryTypeBits, Memory::eDeviceLocal,
                                      Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached);
     memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type)};
@@ -37,7 +42,8 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, 
     constexpr auto shared = Memory::eHostVisible | Memory::eHostCoherent;
     if ((flags & shared) == shared) mapped_ = static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE));
   } catch (const vk::SystemError& e) {
-    throw DeviceError(fmt::format("{}: cannot allocate {} bytes for {}: {}", device.info().name, size_, what, e.what()));
+    throw DeviceError(
+        fmt::format("{}: cannot allocate {} bytes for {}: {}", device.info().name, size_, what, e.what()));
   }
 }
 
@@ -46,7 +52,8 @@ void Buffer::upload(std::span<const std::byte> bytes) {
     std::memcpy(mapped_, bytes.data(), bytes.size());
     return;
   }
-  Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes), vk::BufferUsageFlagBits::eTransferSrc, "staging");
+  Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes),
+                 vk::BufferUsageFlagBits::eTransferSrc, "staging");
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
     const std::uint64_t count = std::min<std::uint64_t>(staging_bytes, bytes.size() - at);
     std::memcpy(staging.mapped_, bytes.data() + at, count);
@@ -61,7 +68,8 @@ void Buffer::download(std::span<std::byte> bytes) const {
     std::memcpy(bytes.data(), mapped_, bytes.size());
     return;
   }
-  const Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes), vk::BufferUsageFlagBits::eTransferSrc, "staging");
+  const Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes),
+                       vk::BufferUsageFlagBits::eTransferSrc, "staging");
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
     const std::uint64_t count = std::min<std::uint64_t>(staging_bytes, bytes.size() - at);
     device_->run([&](const vk::raii::CommandBuffer& c) {
@@ -76,7 +84,8 @@ void Buffer::clear() {
 }
 
 vk::raii::BufferView make_texel_view(const Device& device, const Buffer& buffer) {
-  return {device.handle(), vk::BufferViewCreateInfo({}, buffer.handle(), vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE)};
+  return {device.handle(),
+          vk::BufferViewCreateInfo({}, buffer.handle(), vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE)};
 }
 
 }  // namespace facet::gpu

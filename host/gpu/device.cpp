@@ -14,13 +14,15 @@ vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint
   std::vector<const char*> extensions;
   // A driver that offers the portability subset insists on its being enabled.
   for (const auto& e : physical.enumerateDeviceExtensionProperties()) {
-    if (std::string_view(e.extensionName) == "VK_KHR_portability_subset") extensions.push_back("VK_KHR_portability_subset");
+    if (std::string_view(e.extensionName) == "VK_KHR_portability_subset")
+      extensions.push_back("VK_KHR_portability_subset");
   }
   return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions)};
 }
 
 vk::raii::CommandBuffer make_commands(const vk::raii::Device& device, const vk::raii::CommandPool& pool) {
-  vk::raii::CommandBuffers buffers(device, vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
+  vk::raii::CommandBuffers buffers(device,
+                                   vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
   return std::move(buffers.front());
 }
 
@@ -35,7 +37,8 @@ Device::Device(const Instance& instance, DeviceInfo info)
       queue_family_(compute_queue_family(physical_)),
       device_(make_device(physical_, queue_family_)),
       queue_(device_, queue_family_, 0),
-      pool_(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_)),
+      pool_(device_,
+            vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_)),
       commands_(make_commands(device_, pool_)),
       fence_(device_, vk::FenceCreateInfo()),
       budget_(info_.memory_bytes) {}
@@ -50,13 +53,16 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags
   throw DeviceError(fmt::format("{} has no memory of the kind {}", info_.name, vk::to_string(required)));
 }
 
-vk::MemoryPropertyFlags Device::memory_flags(std::uint32_t type) const { return memory_.memoryTypes[type].propertyFlags; }
+vk::MemoryPropertyFlags Device::memory_flags(std::uint32_t type) const {
+  return memory_.memoryTypes[type].propertyFlags;
+}
 
 void Device::reserve(std::uint64_t bytes, const std::string& what) {
   if (reserved_ + bytes > budget_) {
-    throw InputError(fmt::format("{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
-                                 with_unit_prefix(static_cast<double>(bytes)), with_unit_prefix(static_cast<double>(budget_)),
-                                 info_.name, with_unit_prefix(static_cast<double>(reserved_))));
+    throw InputError(fmt::format(
+        "{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
+        with_unit_prefix(static_cast<double>(bytes)), with_unit_prefix(static_cast<double>(budget_)),
+        info_.name, with_unit_prefix(static_cast<double>(reserved_))));
   }
   reserved_ += bytes;
 }

@@ -16,8 +16,8 @@ inline constexpr std::uint32_t minimum_vulkan_version = VK_API_VERSION_1_1;
 struct DeviceInfo {
   std::uint32_t index = 0;  ///< in the order in which the loader lists them
   std::string name;
-  std::string driver;       ///< name and version
-  std::string kind;         ///< "discrete GPU", "CPU", ...
+  std::string driver;  ///< name and version
+  std::string kind;    ///< "discrete GPU", "CPU", ...
   std::uint32_t api_version = 0;
   std::uint64_t memory_bytes = 0;  ///< largest device-local heap
   std::vector<std::string> lacks;  ///< what facet needs and the device does not have, by name; empty: usable
@@ -32,14 +32,16 @@ struct ValidationLog {
 /// The Vulkan instance, with or without validation layers.
 class Instance {
  public:
-  /// Throws DeviceError, saying which package to install, where there is no Vulkan loader or, with `validate`, no layers.
+  /// Throws DeviceError, saying which package to install, where there is no Vulkan loader or, with
+  /// `validate`, no layers.
   explicit Instance(bool validate);
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
   [[nodiscard]] std::vector<DeviceInfo> devices() const;
-  /// selector: an index, part of a name (any case), or empty for the best one. Throws DeviceError where nothing fits.
+  /// selector: an index, part of a name (any case), or empty for the best one. Throws DeviceError where
+  /// nothing fits.
   [[nodiscard]] DeviceInfo choose(const std::string& selector) const;
   [[nodiscard]] vk::raii::PhysicalDevice physical_device(const DeviceInfo& info) const;
   [[nodiscard]] const ValidationLog& validation() const { return *validation_; }
@@ -62,12 +64,14 @@ class Device {
   /// Whether this is a CPU in disguise: it wants small passes that fit into its caches.
   [[nodiscard]] bool is_cpu() const { return is_cpu_; }
 
-  /// Index of a memory type with the properties, preferring those with `preferred` as well; throws DeviceError without one.
+  /// Index of a memory type with the properties, preferring those with `preferred` as well; throws
+  /// DeviceError without one.
   [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags required,
                                           vk::MemoryPropertyFlags preferred) const;
   [[nodiscard]] vk::MemoryPropertyFlags memory_flags(std::uint32_t type) const;
 
-  /// Books memory against the device's heaps; throws InputError, before anything is allocated, if it cannot fit.
+  /// Books memory against the device's heaps; throws InputError, before anything is allocated, if it cannot
+  /// fit.
   void reserve(std::uint64_t bytes, const std::string& what);
   [[nodiscard]] std::uint64_t reserved_bytes() const { return reserved_; }
 

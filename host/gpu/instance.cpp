@@ -12,10 +12,12 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 constexpr const char* driver_hint =
-    "install a Vulkan driver: on Debian and Ubuntu the package mesa-vulkan-drivers holds those of AMD and Intel GPUs and lavapipe, "
+    "install a Vulkan driver: on Debian and Ubuntu the package mesa-vulkan-drivers holds those of AMD and "
+    "Intel GPUs and lavapipe, "
     "which needs no GPU";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                          VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
   static_cast<ValidationLog*>(log)->messages.emplace_back(data->pMessage);
   return VK_FALSE;
@@ -25,18 +27,21 @@ vk::raii::Context make_context() {
   try {
     return {};
   } catch (const std::exception&) {
-    throw DeviceError(std::string("no Vulkan loader (libvulkan.so.1): install the package libvulkan1; and ") + driver_hint);
+    throw DeviceError(std::string("no Vulkan loader (libvulkan.so.1): install the package libvulkan1; and ") +
+                      driver_hint);
   }
 }
 
 bool has_layer(const vk::raii::Context& context, const char* name) {
   const auto layers = context.enumerateInstanceLayerProperties();
-  return std::any_of(layers.begin(), layers.end(), [&](const auto& l) { return std::string_view(l.layerName) == name; });
+  return std::any_of(layers.begin(), layers.end(),
+                     [&](const auto& l) { return std::string_view(l.layerName) == name; });
 }
 
 bool has_extension(const vk::raii::Context& context, const char* name) {
   const auto list = context.enumerateInstanceExtensionProperties();
-  return std::any_of(list.begin(), list.end(), [&](const auto& e) { return std::string_view(e.extensionName) == name; });
+  return std::any_of(list.begin(), list.end(),
+                     [&](const auto& e) { return std::string_view(e.extensionName) == name; });
 }
 
 vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate) {
@@ -63,7 +68,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate
   }
 }
 
-vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance, bool validate, ValidationLog* log) {
+vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance, bool validate,
+                                                ValidationLog* log) {
   if (!validate) return nullptr;
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -73,7 +79,8 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
 }
 
 std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -108,7 +115,8 @@ DeviceInfo Instance::choose(const std::string& selector) const {
     if (best == nullptr || best->rank < device.rank) best = &device;
   }
   if (best == nullptr) {
-    throw DeviceError(fmt::format("no Vulkan device is \"{}\"; \"facet devices\" lists the {} there are", selector, list.size()));
+    throw DeviceError(fmt::format("no Vulkan device is \"{}\"; \"facet devices\" lists the {} there are",
+                                  selector, list.size()));
   }
   if (!best->lacks.empty()) {
     throw DeviceError(fmt::format("{} lacks {}; {}", best->name, fmt::join(best->lacks, ", "), driver_hint));

@@ -6,10 +6,12 @@ namespace facet::gpu {
 
 namespace {
 
-vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<const vk::DescriptorType> types) {
+vk::raii::DescriptorSetLayout make_set_layout(const Device& device,
+                                              std::span<const vk::DescriptorType> types) {
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
   for (const vk::DescriptorType type : types) {
-    bindings.emplace_back(static_cast<std::uint32_t>(bindings.size()), type, 1, vk::ShaderStageFlagBits::eCompute);
+    bindings.emplace_back(static_cast<std::uint32_t>(bindings.size()), type, 1,
+                          vk::ShaderStageFlagBits::eCompute);
   }
   return {device.handle(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
@@ -24,10 +26,12 @@ vk::raii::PipelineLayout make_pipeline_layout(const Device& device, const vk::ra
 vk::raii::DescriptorPool make_pool(const Device& device, std::span<const vk::DescriptorType> types) {
   std::vector<vk::DescriptorPoolSize> sizes;
   for (const vk::DescriptorType type : types) sizes.emplace_back(type, 1);
-  return {device.handle(), vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
+  return {device.handle(),
+          vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
 }
 
-vk::raii::DescriptorSet make_set(const Device& device, const vk::raii::DescriptorPool& pool, const Layout& layout) {
+vk::raii::DescriptorSet make_set(const Device& device, const vk::raii::DescriptorPool& pool,
+                                 const Layout& layout) {
   const vk::DescriptorSetLayout handle = *layout.set();
   vk::raii::DescriptorSets sets(device.handle(), vk::DescriptorSetAllocateInfo(*pool, handle));
   return std::move(sets.front());
@@ -35,7 +39,8 @@ vk::raii::DescriptorSet make_set(const Device& device, const vk::raii::Descripto
 
 }  // namespace
 
-Layout::Layout(const Device& device, std::span<const vk::DescriptorType> types, std::uint32_t push_constant_bytes)
+Layout::Layout(const Device& device, std::span<const vk::DescriptorType> types,
+               std::uint32_t push_constant_bytes)
     : types_(types.begin(), types.end()),
       set_(make_set_layout(device, types)),
       pipeline_(make_pipeline_layout(device, set_, push_constant_bytes)) {}
@@ -56,15 +61,18 @@ BindingSet::BindingSet(const Device& device, const Layout& layout, std::span<con
   }
 }
 
-vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout, std::span<const std::uint32_t> code,
+vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout,
+                                         std::span<const std::uint32_t> code,
                                          std::span<const std::uint32_t> constants, const std::string& name) {
   std::vector<vk::SpecializationMapEntry> entries;
   for (std::uint32_t i = 0; i < constants.size(); ++i) entries.emplace_back(i, i * 4U, 4U);
-  const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(), constants.size_bytes(),
-                                              constants.data());
+  const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                              constants.size_bytes(), constants.data());
   try {
-    const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &specialization);
+    const vk::raii::ShaderModule module(device.handle(),
+                                        vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                  &specialization);
     return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout.pipeline())};
   } catch (const vk::SystemError& e) {
     throw DeviceError(fmt::format("{} cannot compile the kernel {}: {}", device.info().name, name, e.what()));
@@ -75,10 +83,11 @@ void barrier(const vk::raii::CommandBuffer& commands) {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::MemoryBarrier all(Access::eShaderWrite | Access::eTransferWrite,
-                              Access::eShaderRead | Access::eShaderWrite | Access::eIndirectCommandRead | Access::eTransferRead |
-                                  Access::eTransferWrite | Access::eHostRead);
+                              Access::eShaderRead | Access::eShaderWrite | Access::eIndirectCommandRead |
+                                  Access::eTransferRead | Access::eTransferWrite | Access::eHostRead);
   commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer,
-                           Stage::eComputeShader | Stage::eDrawIndirect | Stage::eTransfer | Stage::eHost, {}, all, {}, {});
+                           Stage::eComputeShader | Stage::eDrawIndirect | Stage::eTransfer | Stage::eHost, {},
+                           all, {}, {});
 }
 
 }  // namespace facet::gpu

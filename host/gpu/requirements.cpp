@@ -28,20 +28,28 @@ std::vector<Requirement> requirements() {
   return {
       {"Vulkan 1.1", [](const auto& d) { return d.getProperties().apiVersion >= minimum_vulkan_version; }},
       {"a compute queue", [](const auto& d) { return compute_queue_family(d) != VK_QUEUE_FAMILY_IGNORED; }},
-      limit<std::uint32_t>("maxPerStageDescriptorStorageBuffers", &Limits::maxPerStageDescriptorStorageBuffers, buffers),
-      limit<std::uint32_t>("maxDescriptorSetStorageBuffers", &Limits::maxDescriptorSetStorageBuffers, buffers),
-      limit<std::uint32_t>("maxComputeWorkGroupInvocations", &Limits::maxComputeWorkGroupInvocations, shared::WORKGROUP_SIZE),
+      limit<std::uint32_t>("maxPerStageDescriptorStorageBuffers",
+                           &Limits::maxPerStageDescriptorStorageBuffers, buffers),
+      limit<std::uint32_t>("maxDescriptorSetStorageBuffers", &Limits::maxDescriptorSetStorageBuffers,
+                           buffers),
+      limit<std::uint32_t>("maxComputeWorkGroupInvocations", &Limits::maxComputeWorkGroupInvocations,
+                           shared::WORKGROUP_SIZE),
       limit<std::uint32_t>("maxStorageBufferRange", &Limits::maxStorageBufferRange, 1U << 27U),
   };
 }
 
 std::string kind_name(vk::PhysicalDeviceType type) {
   switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu: return "discrete GPU";
-    case vk::PhysicalDeviceType::eIntegratedGpu: return "integrated GPU";
-    case vk::PhysicalDeviceType::eVirtualGpu: return "virtual GPU";
-    case vk::PhysicalDeviceType::eCpu: return "CPU";
-    default: return "other";
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+      return "CPU";
+    default:
+      return "other";
   }
 }
 
@@ -61,7 +69,8 @@ std::uint32_t compute_queue_family(const vk::raii::PhysicalDevice& device) {
   const auto found = std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& f) {
     return static_cast<bool>(f.queueFlags & vk::QueueFlagBits::eCompute);
   });
-  return found == families.end() ? VK_QUEUE_FAMILY_IGNORED : static_cast<std::uint32_t>(found - families.begin());
+  return found == families.end() ? VK_QUEUE_FAMILY_IGNORED
+                                 : static_cast<std::uint32_t>(found - families.begin());
 }
 
 DeviceInfo describe_device(const vk::raii::PhysicalDevice& device, std::uint32_t index) {
@@ -73,14 +82,16 @@ DeviceInfo describe_device(const vk::raii::PhysicalDevice& device, std::uint32_t
   info.api_version = properties.apiVersion;
   info.driver = fmt::format("driver version {:#x}", properties.driverVersion);
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
-    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto chain =
+        device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
     const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
     info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
   }
   const auto memory = device.getMemoryProperties();
   for (std::uint32_t h = 0; h < memory.memoryHeapCount; ++h) {
     const vk::MemoryHeap& heap = memory.memoryHeaps[h];
-    if (heap.flags & vk::MemoryHeapFlagBits::eDeviceLocal) info.memory_bytes = std::max<std::uint64_t>(info.memory_bytes, heap.size);
+    if (heap.flags & vk::MemoryHeapFlagBits::eDeviceLocal)
+      info.memory_bytes = std::max<std::uint64_t>(info.memory_bytes, heap.size);
   }
   for (const Requirement& requirement : requirements()) {
     if (!requirement.met(device)) info.lacks.push_back(requirement.name);

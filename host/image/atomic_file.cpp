@@ -27,7 +27,8 @@ void AtomicFile::commit() {
 }
 
 void check_writable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
+  if (std::filesystem::is_directory(path))
+    throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
   const AtomicFile file(path);
   if (!std::ofstream(file.temporary())) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

@@ -4,7 +4,8 @@
 
 namespace facet {
 
-/// Hands out a temporary path beside the target; commit() renames it, the destructor removes what was not committed.
+/// Hands out a temporary path beside the target; commit() renames it, the destructor removes what was not
+/// committed.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);

@@ -22,9 +22,11 @@ constexpr long long largest_area = 1LL << 30;
 
 Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  const auto offset = static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width) + window.min.x;
+  const auto offset =
+      static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width) + window.min.x;
   // OpenEXR addresses pixels from the origin of the display window and takes its buffers without const.
-  auto* base = reinterpret_cast<char*>(const_cast<float*>(plane) - offset);  // NOLINT(*-const-cast,*-reinterpret-cast)
+  auto* base =
+      reinterpret_cast<char*>(const_cast<float*>(plane) - offset);  // NOLINT(*-const-cast,*-reinterpret-cast)
   return {Imf::FLOAT, base, sizeof(float), sizeof(float) * width};
 }
 
@@ -33,11 +35,13 @@ Image read_exr_file(const std::filesystem::path& path) {
   const Imath::Box2i window = file.header().dataWindow();
   const long long width = 1LL + window.max.x - window.min.x;
   const long long height = 1LL + window.max.y - window.min.y;
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side || width * height > largest_area) {
+  if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
+      width * height > largest_area) {
     throw InputError(fmt::format("{}: unreasonable image size {}x{}", path.string(), width, height));
   }
   std::vector<std::string> channels;
-  for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c) channels.emplace_back(c.name());
+  for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c)
+    channels.emplace_back(c.name());
   Image image(static_cast<int>(width), static_cast<int>(height), channels);
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -46,8 +50,8 @@ Image read_exr_file(const std::filesystem::path& path) {
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);
   const Imath::Box2i display = file.header().displayWindow();
-  image.window = {window.min.x - display.min.x, window.min.y - display.min.y, display.max.x - display.min.x + 1,
-                  display.max.y - display.min.y + 1};
+  image.window = {window.min.x - display.min.x, window.min.y - display.min.y,
+                  display.max.x - display.min.x + 1, display.max.y - display.min.y + 1};
   for (auto a = file.header().begin(); a != file.header().end(); ++a) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
     if (text != nullptr) image.metadata.emplace_back(a.name(), text->value());
@@ -58,7 +62,8 @@ Image read_exr_file(const std::filesystem::path& path) {
 }  // namespace
 
 Image read_exr(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: no such file", path.string()));
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(fmt::format("{}: no such file", path.string()));
   try {
     return read_exr_file(path);
   } catch (const Error&) {
@@ -71,7 +76,8 @@ Image read_exr(const std::filesystem::path& path) {
 void write_exr(const std::filesystem::path& path, const Image& image) {
   const Imath::V2i origin(image.window.x, image.window.y);
   const Imath::Box2i data(origin, origin + Imath::V2i(image.width() - 1, image.height() - 1));
-  const Imath::Box2i display(Imath::V2i(0, 0), Imath::V2i(image.window.full_width - 1, image.window.full_height - 1));
+  const Imath::Box2i display(Imath::V2i(0, 0),
+                             Imath::V2i(image.window.full_width - 1, image.window.full_height - 1));
   Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
   for (const auto& [name, text] : image.metadata) header.insert(name.c_str(), Imf::StringAttribute(text));
   Imf::FrameBuffer buffer;

@@ -1,6 +1,6 @@
 #pragma once
-// Image files. Writers write to a temporary name beside the target and rename it: a failed write never destroys the file
-// that was there.
+// Image files. Writers write to a temporary name beside the target and rename it: a failed write never
+// destroys the file that was there.
 #include <filesystem>
 
 #include "image/image.h"

@@ -26,7 +26,8 @@ class Image {
   [[nodiscard]] float* plane(int channel) { return data_.data() + index(0, 0, channel); }
   [[nodiscard]] const float* plane(int channel) const { return data_.data() + index(0, 0, channel); }
 
-  /// Where the image lies in a larger one, and that one's size: a crop's place. Equal to the image's own by default.
+  /// Where the image lies in a larger one, and that one's size: a crop's place. Equal to the image's own by
+  /// default.
   struct Window {
     int x = 0;
     int y = 0;

@@ -39,7 +39,8 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);
   AtomicFile file(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.temporary().c_str(), "wb"), &std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.temporary().c_str(), "wb"),
+                                                            &std::fclose);
   if (!out) throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(errno)));
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -48,7 +49,8 @@ void write_png(const std::filesystem::path& path, const Image& image, float expo
   png.format = PNG_FORMAT_RGB;
   const bool written = png_image_write_to_stdio(&png, out.get(), 0, pixels.data(), 0, nullptr) != 0;
   if (!written || std::fflush(out.get()) != 0) {
-    throw InputError(fmt::format("{}: cannot write: {}", path.string(), written ? std::strerror(errno) : png.message));
+    throw InputError(
+        fmt::format("{}: cannot write: {}", path.string(), written ? std::strerror(errno) : png.message));
   }
   file.commit();
 }

@@ -8,7 +8,8 @@ namespace facet {
 
 std::vector<std::uint32_t> cumulative_counts(std::span<const double> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const auto positive = static_cast<double>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  const auto positive =
+      static_cast<double>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
   std::vector<std::uint32_t> cumulative(weights.size(), 0);
   if (!(total > 0)) return cumulative;
   const double shared = 4294967295.0 - positive;

@@ -10,8 +10,8 @@ namespace facet {
 
 namespace {
 
-/// Mean over each texel's cell of the bilinearly interpolated luminance: weights 1/8, 6/8, 1/8 along each axis. It is positive
-/// wherever the interpolated value is, also where the texel itself is black.
+/// Mean over each texel's cell of the bilinearly interpolated luminance: weights 1/8, 6/8, 1/8 along each
+/// axis. It is positive wherever the interpolated value is, also where the texel itself is black.
 std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   const auto w = static_cast<std::size_t>(e.width);
   const auto h = static_cast<std::size_t>(e.height);
@@ -19,7 +19,9 @@ std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   std::vector<double> cells(w * h);
   for (std::size_t y = 0; y < h; ++y) {
     for (std::size_t x = 0; x < w; ++x) {
-      const auto at = [&](std::size_t column) { return static_cast<double>(luminance(e.texels[y * w + column])); };
+      const auto at = [&](std::size_t column) {
+        return static_cast<double>(luminance(e.texels[y * w + column]));
+      };
       along[y * w + x] = 0.125 * (at((x + w - 1) % w) + at((x + 1) % w)) + 0.75 * at(x);
     }
   }
@@ -41,7 +43,9 @@ EnvironmentTable make_environment_table(const EnvironmentEmitter& e) {
   EnvironmentTable table;
   std::vector<double> row_weights(h);
   // Row r covers the directions whose y lies in [-cos(pi r/H), -cos(pi (r+1)/H)]: up is the last row.
-  const auto border = [&](std::size_t r) { return -std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(h)); };
+  const auto border = [&](std::size_t r) {
+    return -std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(h));
+  };
   for (std::size_t y = 0; y < h; ++y) {
     double sum = 0;
     for (std::size_t x = 0; x < w; ++x) sum += cells[y * w + x];
@@ -52,7 +56,8 @@ EnvironmentTable make_environment_table(const EnvironmentEmitter& e) {
   table.texels.reserve(w * h);
   table.columns.reserve(w * h);
   for (std::size_t y = 0; y < h; ++y) {
-    table.rows.push_back({row_counts[y], static_cast<float>(border(y)), static_cast<float>(border(y + 1)), 0});
+    table.rows.push_back(
+        {row_counts[y], static_cast<float>(border(y)), static_cast<float>(border(y + 1)), 0});
     const std::vector<std::uint32_t> counts = cumulative_counts(std::span(cells).subspan(y * w, w));
     table.columns.insert(table.columns.end(), counts.begin(), counts.end());
     const double row_probability = choice_probability(row_counts, y);

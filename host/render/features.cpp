@@ -31,7 +31,8 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   Features f;
   for (const Bsdf& bsdf : scene.bsdfs) f.bsdf_mask |= 1U << bsdf.index();
   for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
-  f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return !m.normal_indices.empty(); });
+  f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                                  [](const Mesh& m) { return !m.normal_indices.empty(); });
   f.integrator = scene.integrator;
   const int limit = scene.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= roulette_first;

@@ -10,7 +10,8 @@ namespace facet {
 namespace {
 
 std::array<double, 3> values_of(const shared::FilmRecord& r) {
-  return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g, static_cast<double>(r.hi_b) + r.lo_b};
+  return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g,
+          static_cast<double>(r.hi_b) + r.lo_b};
 }
 
 /// Variance of a mean of n samples from the sums of values and of squares.
@@ -25,7 +26,8 @@ double variance_of_mean(double sum, double squares, double n) {
 Image develop(const FilmData& film, const Crop& crop, int full_width, int full_height, bool with_variance) {
   std::vector<std::string> channels{"R", "G", "B"};
   if (with_variance) {
-    for (const char* name : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"}) channels.emplace_back(name);
+    for (const char* name : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"})
+      channels.emplace_back(name);
   }
   Image image(crop.x1 - crop.x0, crop.y1 - crop.y0, channels);
   image.window = {crop.x0, crop.y0, full_width, full_height};
@@ -34,7 +36,8 @@ Image develop(const FilmData& film, const Crop& crop, int full_width, int full_h
     for (int x = 0; x < image.width(); ++x, ++i) {
       const double n = film.sums[i].samples;
       const std::array<double, 3> sum = values_of(film.sums[i]);
-      for (int c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(n > 0 ? sum[static_cast<std::size_t>(c)] / n : 0.0);
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y, c) = static_cast<float>(n > 0 ? sum[static_cast<std::size_t>(c)] / n : 0.0);
       if (!with_variance) continue;
       const std::array<double, 3> squares = values_of(film.squares[i]);
       for (int c = 0; c < 3; ++c) {

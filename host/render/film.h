@@ -14,12 +14,13 @@ struct FilmData {
   std::vector<shared::FilmRecord> squares;  ///< empty unless the variance is kept
 };
 
-/// Channels R, G, B: the mean over samples. With squares also variance.R, variance.G, variance.B (of the mean), samples and
-/// samples.nonzero.
-[[nodiscard]] Image develop(const FilmData& film, const Crop& crop, int full_width, int full_height, bool with_variance);
+/// Channels R, G, B: the mean over samples. With squares also variance.R, variance.G, variance.B (of the
+/// mean), samples and samples.nonzero.
+[[nodiscard]] Image develop(const FilmData& film, const Crop& crop, int full_width, int full_height,
+                            bool with_variance);
 
-/// Estimated relative mean square error of the image against its expectation, from the variance: the mean over pixels and
-/// channels of variance / (mean^2 + eps), eps = (0.01 mean luminance)^2. 0 without squares.
+/// Estimated relative mean square error of the image against its expectation, from the variance: the mean
+/// over pixels and channels of variance / (mean^2 + eps), eps = (0.01 mean luminance)^2. 0 without squares.
 [[nodiscard]] double estimate_relmse(const FilmData& film);
 
 }  // namespace facet

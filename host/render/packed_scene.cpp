@@ -32,7 +32,8 @@ double area_of(const TriangleCorners& c) {
 }
 
 glm::uvec4 position_record(const vec3& p, std::uint32_t w) {
-  return {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z), w};
+  return {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
+          std::bit_cast<std::uint32_t>(p.z), w};
 }
 
 class Packer {
@@ -72,7 +73,8 @@ class Packer {
   void pack_normals() {
     for (const Mesh& mesh : scene_.meshes) {
       first_normal_.push_back(static_cast<std::uint32_t>(packed_.normals.size()));
-      if (!mesh.normal_indices.empty()) packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
+      if (!mesh.normal_indices.empty())
+        packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
     }
   }
 
@@ -107,7 +109,8 @@ class Packer {
       packed_.emitter_triangles.push_back({0, place_[s]});
     }
     const std::vector<std::uint32_t> counts = cumulative_counts(areas);
-    for (std::size_t i = 0; i < counts.size(); ++i) packed_.emitter_triangles[record.first_triangle + i].cumulative = counts[i];
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      packed_.emitter_triangles[record.first_triangle + i].cumulative = counts[i];
     record.triangle_count = static_cast<std::uint32_t>(counts.size());
     double total = 0;
     for (const double area : areas) total += area;
@@ -125,7 +128,8 @@ class Packer {
     packed_.environment = make_environment_table(e);
     packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
     packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
-    const double radius = packed_.triangles.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
+    const double radius =
+        packed_.triangles.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
     return 4 * std::numbers::pi * std::numbers::pi * radius * radius * packed_.environment.mean_luminance;
   }
 
@@ -135,7 +139,8 @@ class Packer {
       shared::EmitterRecord record{};
       record.type = static_cast<std::uint32_t>(emitter.index());
       const auto* area = std::get_if<AreaEmitter>(&emitter);
-      double weight = area != nullptr ? pack_area_emitter(*area, record) : pack_environment(std::get<EnvironmentEmitter>(emitter));
+      double weight = area != nullptr ? pack_area_emitter(*area, record)
+                                      : pack_environment(std::get<EnvironmentEmitter>(emitter));
       if (scene_.emitter_selection == EmitterSelection::uniform && weight > 0) weight = 1;
       weights.push_back(weight);
       packed_.emitters.push_back(record);
@@ -156,8 +161,8 @@ class Packer {
     const double aspect = static_cast<double>(c.width) / c.height;
     shared::FrameRecord& f = packed_.frame;
     f.camera_origin = glm::vec4(vec3(dvec3(c.to_world[3])), c.near_clip);
-    f.camera_corner = glm::vec4(vec3(linear * dvec3(tangent, tangent / aspect, 1)), c.far_clip);
-    f.camera_dx = glm::vec4(vec3(linear[0] * (-2 * tangent / c.width)), 0);
+    f.camera_corner = glm::vec4(vec3(linear * dvec3(-tangent, tangent / aspect, 1)), c.far_clip);
+    f.camera_dx = glm::vec4(vec3(linear[0] * (2 * tangent / c.width)), 0);
     f.camera_dy = glm::vec4(vec3(linear[1] * (-2 * tangent / aspect / c.height)), 0);
     f.width = static_cast<std::uint32_t>(c.width);
     f.height = static_cast<std::uint32_t>(c.height);

@@ -17,7 +17,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land far apart.
+/// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land
+/// far apart.
 std::uint32_t permutation_stride(std::uint32_t runs) {
   auto stride = static_cast<std::uint32_t>(0.6180339887 * runs) | 1U;
   while (std::gcd(stride, std::max(runs, 1U)) != 1) stride += 2;
@@ -32,7 +33,8 @@ struct Renderer::Wave {
   shared::PassConstants constants{};
 };
 
-Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings)
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
+                   const RenderSettings& settings)
     : device_(device), settings_(settings), features_(features) {
   const auto start = std::chrono::steady_clock::now();
   resources_ = std::make_unique<Resources>(device, packed, features, settings);
@@ -66,12 +68,14 @@ void Renderer::run_wave(const Wave& wave) {
   std::uint32_t bounce = 0;
   bool more = true;
   while (more) {
-    const std::uint32_t end = limit == 0 ? bounce + bounces_per_submission : std::min(limit, bounce + bounces_per_submission);
+    const std::uint32_t end =
+        limit == 0 ? bounce + bounces_per_submission : std::min(limit, bounce + bounces_per_submission);
     device_.run([&](const vk::raii::CommandBuffer& c) {
       r.bind(c, wave.film_piece);
       if (bounce == 0) {
         r.clear_counters(c, slots);
-        r.dispatch(c, Kernel::generate, constants, (slots + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
+        r.dispatch(c, Kernel::generate, constants,
+                   (slots + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
         gpu::barrier(c);
       }
       for (; bounce < end; ++bounce) {
@@ -84,7 +88,8 @@ void Renderer::run_wave(const Wave& wave) {
   }
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, wave.film_piece);
-    r.dispatch(c, Kernel::film, constants, (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
+    r.dispatch(c, Kernel::film, constants,
+               (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
     gpu::barrier(c);
   });
   const auto counters = r.read_counters();
@@ -98,10 +103,12 @@ void Renderer::run_wave(const Wave& wave) {
 void Renderer::render(const ProgressCallback& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Resources& r = *resources_;
-  const std::uint64_t total = std::uint64_t{r.pixel_count()} * (settings_.end_sample - settings_.first_sample);
+  const std::uint64_t total =
+      std::uint64_t{r.pixel_count()} * (settings_.end_sample - settings_.first_sample);
   std::uint32_t batch = 1;
   for (std::uint32_t sample = settings_.first_sample; sample < settings_.end_sample;) {
-    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as there are slots.
+    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as there are
+    // slots.
     const std::uint32_t done = sample - settings_.first_sample;
     batch = std::min(std::max(done, 1U), settings_.end_sample - sample);
     for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
@@ -118,7 +125,8 @@ void Renderer::render(const ProgressCallback& progress) {
           wave.constants.film_first = r.film_pieces()[piece].first_pixel;
           run_wave(wave);
           statistics_.render_seconds = seconds_since(start);
-          if (!progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_)) return;
+          if (!progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_))
+            return;
         }
       }
     }

@@ -28,7 +28,8 @@ using ProgressCallback = std::function<bool(double done, const RenderStatistics&
 class Renderer {
  public:
   /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
-  Renderer(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings);
+  Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
+           const RenderSettings& settings);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;

@@ -18,11 +18,13 @@ struct FilmPiece {
 
 struct Renderer::Resources {
  public:
-  Resources(gpu::Device& device, const PackedScene& packed, const Features& features, const RenderSettings& settings);
+  Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
+            const RenderSettings& settings);
 
   /// Binds the buffers, with one piece of the film.
   void bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const;
-  void dispatch(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants, std::uint32_t groups) const;
+  void dispatch(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants,
+                std::uint32_t groups) const;
   /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
   void clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const;
   /// extend, shade and shadow, sized by their queues.
@@ -41,8 +43,8 @@ struct Renderer::Resources {
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(std::size_t piece) const;
 
  private:
-  void dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants,
-                         std::uint32_t counter_word) const;
+  void dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel,
+                         const shared::PassConstants& constants, std::uint32_t counter_word) const;
   void make_film();
   void bind_everything();
 
@@ -61,8 +63,8 @@ struct Renderer::Resources {
   gpu::Buffer shadow_;
   gpu::Buffer queues_;
   gpu::Buffer counters_;
-  std::vector<gpu::Buffer> film_;     ///< one a piece
-  std::vector<gpu::Buffer> squares_;  ///< likewise; a single dummy without variance
+  std::vector<gpu::Buffer> film_;                  ///< one a piece
+  std::vector<gpu::Buffer> squares_;               ///< likewise; a single dummy without variance
   std::vector<vk::raii::BufferView> texel_views_;  ///< nodes, triangles
   std::vector<gpu::BindingSet> sets_;              ///< one a piece
   std::vector<vk::raii::Pipeline> pipelines_;      ///< by Kernel

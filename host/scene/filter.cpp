@@ -18,7 +18,9 @@ double value(const MitchellFilter& f, double x) {
   const double t3 = t2 * t;
   if (t < 1) return ((12 - 9 * f.b - 6 * f.c) * t3 + (-18 + 12 * f.b + 6 * f.c) * t2 + (6 - 2 * f.b)) / 6;
   if (t < 2) {
-    return ((-f.b - 6 * f.c) * t3 + (6 * f.b + 30 * f.c) * t2 + (-12 * f.b - 48 * f.c) * t + (8 * f.b + 24 * f.c)) / 6;
+    return ((-f.b - 6 * f.c) * t3 + (6 * f.b + 30 * f.c) * t2 + (-12 * f.b - 48 * f.c) * t +
+            (8 * f.b + 24 * f.c)) /
+           6;
   }
   return 0;
 }

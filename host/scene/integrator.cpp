@@ -16,7 +16,8 @@ enum KernelId : int {
 
 const std::vector<IntegratorType>& integrator_types() {
   static const std::vector<IntegratorType> types{
-#define FACET_TYPE(name, kernel, ems, mats, interactions) {#name, kernel_##kernel, (ems) != 0, (mats) != 0, interactions},
+#define FACET_TYPE(name, kernel, ems, mats, interactions) \
+  {#name, kernel_##kernel, (ems) != 0, (mats) != 0, interactions},
       FACET_INTEGRATOR_LIST(FACET_TYPE)
 #undef FACET_TYPE
   };
@@ -25,7 +26,8 @@ const std::vector<IntegratorType>& integrator_types() {
 
 std::optional<IntegratorType> find_integrator_type(std::string_view name) {
   const auto& types = integrator_types();
-  const auto found = std::find_if(types.begin(), types.end(), [&](const IntegratorType& t) { return t.name == name; });
+  const auto found =
+      std::find_if(types.begin(), types.end(), [&](const IntegratorType& t) { return t.name == name; });
   return found == types.end() ? std::nullopt : std::optional(*found);
 }
 

@@ -12,13 +12,27 @@ namespace {
 
 std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
-      {"mesh", "obj", true},          {"camera", "perspective", true}, {"sampler", "independent", true},
-      {"sampler", "sobol", false},    {"rfilter", "gaussian", true},   {"rfilter", "mitchell", true},
-      {"rfilter", "tent", true},      {"rfilter", "box", true},        {"bsdf", "mirror", false},
-      {"bsdf", "dielectric", false},  {"bsdf", "microfacet", false},   {"bsdf", "roughdielectric", false},
-      {"bsdf", "fresnelblend", false}, {"texture", "textmap", false},  {"texture", "checker", false},
-      {"emitter", "pointlight", false}, {"integrator", "simple", false}, {"integrator", "whitted", false},
-      {"integrator", "direct_whitted", false}, {"test", "ttest", false}, {"test", "chi2test", false},
+      {"mesh", "obj", true},
+      {"camera", "perspective", true},
+      {"sampler", "independent", true},
+      {"sampler", "sobol", false},
+      {"rfilter", "gaussian", true},
+      {"rfilter", "mitchell", true},
+      {"rfilter", "tent", true},
+      {"rfilter", "box", true},
+      {"bsdf", "mirror", false},
+      {"bsdf", "dielectric", false},
+      {"bsdf", "microfacet", false},
+      {"bsdf", "roughdielectric", false},
+      {"bsdf", "fresnelblend", false},
+      {"texture", "textmap", false},
+      {"texture", "checker", false},
+      {"emitter", "pointlight", false},
+      {"integrator", "simple", false},
+      {"integrator", "whitted", false},
+      {"integrator", "direct_whitted", false},
+      {"test", "ttest", false},
+      {"test", "chi2test", false},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
   FACET_BSDF_LIST(FACET_BSDF)

@@ -17,13 +17,15 @@ namespace {
     }
   }
   const std::string mend = did_you_mean(properties.type(), plugin_types(tag));
-  throw InputError(properties.location(), fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));
+  throw InputError(properties.location(),
+                   fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));
 }
 
 /// Reads the scene's parts into it; one object a file.
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& path, Diagnostics& diagnostics) : xml_(path), diagnostics_(diagnostics) {
+  SceneReader(const std::filesystem::path& path, Diagnostics& diagnostics)
+      : xml_(path), diagnostics_(diagnostics) {
     scene_.file = path;
   }
 
@@ -55,7 +57,8 @@ class SceneReader {
     c.width = p.integer("width", c.width, 1, largest_image_side);
     c.height = p.integer("height", c.height, 1, largest_image_side);
     if (static_cast<long long>(c.width) * c.height > largest_image_area) {
-      p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width, c.height, largest_image_area));
+      p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width, c.height,
+                                  largest_image_area));
     }
     c.to_world = p.transform("toWorld");
     if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
@@ -113,7 +116,8 @@ class SceneReader {
     scene_.integrator.type = *type;
     if (scene_.integrator.needs_emitters()) {
       scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
-      scene_.integrator.heuristic = p.choice("heuristic", {"balance", "power"}) == "power" ? Heuristic::power : Heuristic::balance;
+      scene_.integrator.heuristic =
+          p.choice("heuristic", {"balance", "power"}) == "power" ? Heuristic::power : Heuristic::balance;
     }
     p.finish(diagnostics_);
   }
@@ -123,7 +127,8 @@ class SceneReader {
     if (p.type() != "obj") fail_unknown_type(p, "mesh");
     const std::string filename = p.string("filename", "");
     if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
-    Mesh mesh = read_obj(xml_.path().parent_path() / filename, p.transform("toWorld"), p.location(), diagnostics_);
+    Mesh mesh =
+        read_obj(xml_.path().parent_path() / filename, p.transform("toWorld"), p.location(), diagnostics_);
     mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
     const auto bsdf = p.only_child("bsdf");
     scene_.bsdfs.push_back(bsdf ? read_bsdf(*bsdf) : Bsdf(bsdf::Diffuse{}));
@@ -159,9 +164,11 @@ class SceneReader {
 
   void read_emitter(const pugi::xml_node& node) {
     PropertyReader p = open(node);
-    if (p.type() == "area") throw InputError(p.location(), "emitter \"area\" belongs to a mesh, not to the scene");
+    if (p.type() == "area")
+      throw InputError(p.location(), "emitter \"area\" belongs to a mesh, not to the scene");
     if (p.type() != "environment") fail_unknown_type(p, "emitter");
-    if (scene_.environment() != none) throw InputError(p.location(), "the scene has more than one environment");
+    if (scene_.environment() != none)
+      throw InputError(p.location(), "the scene has more than one environment");
     scene_.emitters.emplace_back(read_environment_emitter(p));
     p.finish(diagnostics_);
   }
@@ -181,12 +188,17 @@ class SceneReader {
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) { return SceneReader(path, diagnostics).read(); }
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  return SceneReader(path, diagnostics).read();
+}
 
 void check_image_size(long long width, long long height) {
-  if (width >= 1 && height >= 1 && width <= largest_image_side && height <= largest_image_side && width * height <= largest_image_area) return;
-  throw InputError(fmt::format("an image of {}x{} pixels: sides must be 1 to {}, and the whole at most {} pixels", width, height,
-                               largest_image_side, largest_image_area));
+  if (width >= 1 && height >= 1 && width <= largest_image_side && height <= largest_image_side &&
+      width * height <= largest_image_area)
+    return;
+  throw InputError(
+      fmt::format("an image of {}x{} pixels: sides must be 1 to {}, and the whole at most {} pixels", width,
+                  height, largest_image_side, largest_image_area));
 }
 
 }  // namespace facet

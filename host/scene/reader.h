@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// Reads a scene in Nori's language. Throws InputError with file and line for whatever is wrong. A scene without an integrator
-/// is left with an integrator of empty name, for the command line to fill in.
+/// Reads a scene in Nori's language. Throws InputError with file and line for whatever is wrong. A scene
+/// without an integrator is left with an integrator of empty name, for the command line to fill in.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 /// Largest image that is accepted: pixels a side, and in all.

@@ -18,8 +18,8 @@ namespace facet {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Triangles with what they look like. World space. Indices are zero-based; the three kinds of vertex data have lists of
-/// their own, as in OBJ files.
+/// Triangles with what they look like. World space. Indices are zero-based; the three kinds of vertex data
+/// have lists of their own, as in OBJ files.
 struct Mesh {
   std::string name;  ///< the file it came from
   SourceLocation where;
@@ -39,7 +39,8 @@ struct AreaEmitter {
   Color radiance{1};       ///< W sr^-1 m^-2, scale included
 };
 
-/// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the file: up is the last.
+/// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the file: up
+/// is the last.
 struct EnvironmentEmitter {
   int width = 1;
   int height = 1;
@@ -48,7 +49,9 @@ struct EnvironmentEmitter {
 
 using Emitter = std::variant<AreaEmitter, EnvironmentEmitter>;
 
-/// Nori's perspective camera: looks along +z of its space, +x to the left of the image, +y up.
+/// Nori's perspective camera: looks along +z of its space, +x to the right of the image, +y up: a left-handed
+/// view, so that a bare <lookat> (whose x is the viewer's left) mirrors the world, as in Nori, and files undo
+/// that with scale -1, 1, 1.
 struct Camera {
   int width = 1280;
   int height = 720;

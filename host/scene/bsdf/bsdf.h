@@ -18,7 +18,7 @@ std::variant<Types...> variant_without_first(std::variant<First, Types...>);
 /// Any BSDF; the alternative's index is the id of the shared list.
 using Bsdf = decltype(detail::variant_without_first(std::variant<std::monostate
 #define FACET_TYPE(name, Type, id) , bsdf::Type
-                                                                 FACET_BSDF_LIST(FACET_TYPE)
+                                                                     FACET_BSDF_LIST(FACET_TYPE)
 #undef FACET_TYPE
                                                                  >{}));
 

@@ -16,7 +16,8 @@ std::array<int, 3> color_channels(const Image& image, PropertyReader& properties
   const int y = image.find_channel("Y");
   std::array<int, 3> channels{image.find_channel("R"), image.find_channel("G"), image.find_channel("B")};
   for (int& c : channels) c = c < 0 ? y : c;
-  if (channels[0] < 0 || channels[1] < 0 || channels[2] < 0) properties.fail("filename", fmt::format("{} has no channels R, G and B", file));
+  if (channels[0] < 0 || channels[1] < 0 || channels[2] < 0)
+    properties.fail("filename", fmt::format("{} has no channels R, G and B", file));
   return channels;
 }
 
@@ -43,7 +44,8 @@ EnvironmentEmitter read_environment_emitter(PropertyReader& properties) {
     for (int x = 0; x < e.width; ++x) {
       const Color texel = texel_of(image, x, y, channels) * factor;
       if (!std::isfinite(texel.r + texel.g + texel.b) || texel.r < 0 || texel.g < 0 || texel.b < 0) {
-        properties.fail("filename", fmt::format("{}: pixel ({}, {}) is negative or not finite", path.string(), x, y));
+        properties.fail("filename",
+                        fmt::format("{}: pixel ({}, {}) is negative or not finite", path.string(), x, y));
       }
       e.texels.push_back(texel);
     }

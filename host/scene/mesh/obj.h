@@ -7,11 +7,11 @@
 
 namespace facet {
 
-/// Reads the triangles and polygons of a file (polygons are triangulated; negative indices, and vertices without normals or
-/// texture coordinates, are fine), places them in the world by to_world, and leaves bsdf and emitter at their defaults.
-/// Throws InputError, with the line where one is to blame, for a missing file, a coordinate that is no finite number, or an
-/// index out of range.
-[[nodiscard]] Mesh read_obj(const std::filesystem::path& path, const dmat4& to_world, const SourceLocation& where,
-                            Diagnostics& diagnostics);
+/// Reads the triangles and polygons of a file (polygons are triangulated; negative indices, and vertices
+/// without normals or texture coordinates, are fine), places them in the world by to_world, and leaves bsdf
+/// and emitter at their defaults. Throws InputError, with the line where one is to blame, for a missing file,
+/// a coordinate that is no finite number, or an index out of range.
+[[nodiscard]] Mesh read_obj(const std::filesystem::path& path, const dmat4& to_world,
+                            const SourceLocation& where, Diagnostics& diagnostics);
 
 }  // namespace facet

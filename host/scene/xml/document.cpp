@@ -19,12 +19,14 @@ XmlDocument::XmlDocument(std::filesystem::path path) : path_(std::move(path)) {
   }
   const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
   if (!result) {
-    throw InputError({path_.string(), line_at(result.offset)}, fmt::format("not well-formed XML: {}", result.description()));
+    throw InputError({path_.string(), line_at(result.offset)},
+                     fmt::format("not well-formed XML: {}", result.description()));
   }
 }
 
 int XmlDocument::line_at(std::ptrdiff_t offset) const {
-  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), std::max<std::ptrdiff_t>(offset, 0));
+  const auto after =
+      std::upper_bound(line_starts_.begin(), line_starts_.end(), std::max<std::ptrdiff_t>(offset, 0));
   return static_cast<int>(after - line_starts_.begin());
 }
 

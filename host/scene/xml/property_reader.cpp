@@ -10,9 +10,10 @@ namespace facet {
 
 namespace {
 
-const std::vector<std::string> object_tags{"scene",   "mesh",    "bsdf", "texture", "emitter", "camera",
-                                           "integrator", "sampler", "rfilter", "test", "medium",  "phase"};
-const std::vector<std::string> property_tags{"boolean", "integer", "float", "string", "point", "vector", "color", "transform"};
+const std::vector<std::string> object_tags{"scene",      "mesh",    "bsdf",    "texture", "emitter", "camera",
+                                           "integrator", "sampler", "rfilter", "test",    "medium",  "phase"};
+const std::vector<std::string> property_tags{"boolean", "integer", "float", "string",
+                                             "point",   "vector",  "color", "transform"};
 
 bool contains(const std::vector<std::string>& list, std::string_view name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -20,7 +21,8 @@ bool contains(const std::vector<std::string>& list, std::string_view name) {
 
 }  // namespace
 
-PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object) : xml_(xml), object_(object) {
+PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object)
+    : xml_(xml), object_(object) {
   for (const pugi::xml_node& child : object.children()) {
     if (child.type() == pugi::node_pcdata) {
       throw InputError(xml.location(child), fmt::format("stray text in {}: \"{}\"", title(), child.value()));
@@ -29,13 +31,15 @@ PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& obj
     const std::string tag = child.name();
     if (contains(object_tags, tag)) {
       if (tag == "medium" || tag == "phase") {
-        throw InputError(xml.location(child), fmt::format("<{}>: participating media are not supported", tag));
+        throw InputError(xml.location(child),
+                         fmt::format("<{}>: participating media are not supported", tag));
       }
       children_.push_back(child);
     } else if (contains(property_tags, tag)) {
       const std::string name = required_attribute(xml, child, "name");
       if (!properties_.emplace(name, child).second) {
-        throw InputError(xml.location(child), fmt::format("{}: property \"{}\" is given twice", title(), name));
+        throw InputError(xml.location(child),
+                         fmt::format("{}: property \"{}\" is given twice", title(), name));
       }
     } else {
       std::vector<std::string> known = object_tags;
@@ -59,8 +63,9 @@ void PropertyReader::fail(const std::string& name, const std::string& message) c
 void PropertyReader::check_textures(const std::string& name) const {
   for (const pugi::xml_node& child : children_) {
     if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
-    throw InputError(xml_.location(child), fmt::format("texture \"{}\" for \"{}\": textures are not supported yet",
-                                                       child.attribute("type").value(), name));
+    throw InputError(xml_.location(child),
+                     fmt::format("texture \"{}\" for \"{}\": textures are not supported yet",
+                                 child.attribute("type").value(), name));
   }
 }
 
@@ -69,7 +74,8 @@ std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, cons
   check_textures(name);
   const auto found = properties_.find(name);
   if (found == properties_.end()) return std::nullopt;
-  if (found->second.name() != tag) fail(name, fmt::format("must be a <{}>, not a <{}>", tag, found->second.name()));
+  if (found->second.name() != tag)
+    fail(name, fmt::format("must be a <{}>, not a <{}>", tag, found->second.name()));
   return found->second;
 }
 
@@ -90,7 +96,8 @@ int PropertyReader::integer(const std::string& name, int fallback, int least, in
   const std::string text = required_attribute(xml_, *node, "value");
   const std::optional<long long> value = parse_integer(text);
   if (!value) fail(name, fmt::format("is \"{}\", which is not an integer", text));
-  if (*value < least || *value > most) fail(name, fmt::format("is {}, but must be {} to {}", *value, least, most));
+  if (*value < least || *value > most)
+    fail(name, fmt::format("is {}, but must be {} to {}", *value, least, most));
   return static_cast<int>(*value);
 }
 
@@ -102,7 +109,8 @@ std::string PropertyReader::string(const std::string& name, const std::string& f
 std::string PropertyReader::choice(const std::string& name, const std::vector<std::string>& words) {
   const std::string word = string(name, words.front());
   if (!contains(words, word)) {
-    fail(name, fmt::format("is \"{}\", which is none of: {}{}", word, fmt::join(words, ", "), did_you_mean(word, words)));
+    fail(name, fmt::format("is \"{}\", which is none of: {}{}", word, fmt::join(words, ", "),
+                           did_you_mean(word, words)));
   }
   return word;
 }
@@ -125,13 +133,18 @@ Color PropertyReader::reflectance(const std::string& name, const Color& fallback
 
 Color PropertyReader::radiance(const std::string& name, const Color& fallback) {
   const Color c = color(name, fallback);
-  if (glm::any(glm::lessThan(c, Color(0)))) fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must not be negative", c.r, c.g, c.b));
+  if (glm::any(glm::lessThan(c, Color(0))))
+    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must not be negative", c.r, c.g, c.b));
   return c;
 }
 
 float PropertyReader::roughness(const std::string& name, float fallback) {
   const double alpha = real(name, fallback);
-  if (alpha < 1e-4) fail(name, fmt::format("is {:g}, below 0.0001: such a surface is smooth; use the delta model (mirror, dielectric)", alpha));
+  if (alpha < 1e-4)
+    fail(name,
+         fmt::format(
+             "is {:g}, below 0.0001: such a surface is smooth; use the delta model (mirror, dielectric)",
+             alpha));
   if (alpha > 1) fail(name, fmt::format("is {:g}, but roughness is at most 1", alpha));
   // The nearest float to 1e-4 lies below it.
   return static_cast<float>(alpha);
@@ -156,7 +169,8 @@ std::vector<pugi::xml_node> PropertyReader::children(const std::string& tag) {
 
 std::optional<pugi::xml_node> PropertyReader::only_child(const std::string& tag) {
   const std::vector<pugi::xml_node> found = children(tag);
-  if (found.size() > 1) throw InputError(xml_.location(found[1]), fmt::format("{} has more than one <{}>", title(), tag));
+  if (found.size() > 1)
+    throw InputError(xml_.location(found[1]), fmt::format("{} has more than one <{}>", title(), tag));
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
@@ -168,7 +182,8 @@ void PropertyReader::finish(Diagnostics& diagnostics) {
   const std::vector<std::string> names(known_names_.begin(), known_names_.end());
   for (const auto& [name, node] : properties_) {
     if (known_names_.contains(name)) continue;
-    diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(), name, did_you_mean(name, names)));
+    diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(),
+                                                      name, did_you_mean(name, names)));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The properties and children of one object tag, handed out by name and type. What nobody asked for draws a warning.
+// The properties and children of one object tag, handed out by name and type. What nobody asked for draws a
+// warning.
 #include <map>
 #include <optional>
 #include <set>
@@ -23,8 +24,8 @@ class PropertyReader {
   [[nodiscard]] std::string title() const;
   [[nodiscard]] std::string type() const { return object_.attribute("type").value(); }
 
-  // Each returns the property, or the default where the object has none of that name. A property of another type, or out of
-  // the stated range, is an error.
+  // Each returns the property, or the default where the object has none of that name. A property of another
+  // type, or out of the stated range, is an error.
   double real(const std::string& name, double fallback);
   int integer(const std::string& name, int fallback, int least, int most);
   std::string string(const std::string& name, const std::string& fallback);
@@ -50,8 +51,8 @@ class PropertyReader {
   /// The only such child; an error if there are two.
   std::optional<pugi::xml_node> only_child(const std::string& tag);
 
-  /// To be called when everything was asked for: children that cannot stand here are errors, properties that nobody knows
-  /// are warnings.
+  /// To be called when everything was asked for: children that cannot stand here are errors, properties that
+  /// nobody knows are warnings.
   void finish(Diagnostics& diagnostics);
 
   /// Throws InputError at the property (or at the object, where it has none of that name).

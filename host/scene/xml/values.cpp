@@ -20,13 +20,15 @@ std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& n
   std::vector<double> numbers;
   for (const std::string_view part : split_list(text)) {
     const std::optional<double> number = parse_real(part);
-    if (!number) throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" is not a number", node.name(), part));
+    if (!number)
+      throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" is not a number", node.name(), part));
     numbers.push_back(*number);
   }
   if (numbers.size() < least || numbers.size() > most) {
-    const std::string wanted = least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
-    throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" holds {} numbers; {} expected", node.name(), attribute,
-                                                     numbers.size(), wanted));
+    const std::string wanted =
+        least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
+    throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" holds {} numbers; {} expected",
+                                                     node.name(), attribute, numbers.size(), wanted));
   }
   return numbers;
 }
@@ -64,7 +66,8 @@ dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
   const dvec3 origin = read_vector(xml, node, "origin");
   const dvec3 target = read_vector(xml, node, "target");
   const dvec3 up = read_vector(xml, node, "up");
-  if (origin == target) throw InputError(xml.location(node), "<lookat>: origin and target are the same point");
+  if (origin == target)
+    throw InputError(xml.location(node), "<lookat>: origin and target are the same point");
   const dvec3 direction = glm::normalize(target - origin);
   const dvec3 left = glm::cross(up, direction);
   if (glm::length(left) <= 1e-12 * glm::length(up)) {
@@ -83,7 +86,8 @@ dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
   if (name == "scale") return read_scale(xml, step);
   if (name == "lookat") return read_lookat(xml, step);
   const std::vector<std::string> known{"translate", "matrix", "rotate", "scale", "lookat"};
-  throw InputError(xml.location(step), fmt::format("<{}> is not a step of a transform{}", name, did_you_mean(name, known)));
+  throw InputError(xml.location(step),
+                   fmt::format("<{}> is not a step of a transform{}", name, did_you_mean(name, known)));
 }
 
 }  // namespace

@@ -8,11 +8,12 @@
 namespace facet {
 
 /// The element's attribute; an error where it is missing.
-[[nodiscard]] std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& node, const char* name);
+[[nodiscard]] std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& node,
+                                             const char* name);
 
 /// The attribute as `least` to `most` numbers.
-[[nodiscard]] std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute,
-                                               std::size_t least, std::size_t most);
+[[nodiscard]] std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node,
+                                               const char* attribute, std::size_t least, std::size_t most);
 
 /// Three numbers.
 [[nodiscard]] dvec3 read_vector(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute);
