@@ -26,7 +26,7 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, 
   using Memory = vk::MemoryPropertyFlagBits;
   const bool staging = static_cast<bool>(usage & vk::BufferUsageFlagBits::eTransferSrc);
   // Staging memory is the host's.
-  if (!staging) device.reserve(size_, what);
+  if (!staging) reservation_ = device.reserve(size_, what);
   try {
     buffer_ = make_buffer(
         device, size_, usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);

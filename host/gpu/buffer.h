@@ -27,6 +27,7 @@ class Buffer {
 
  private:
   Device* device_;
+  std::shared_ptr<void> reservation_;
   std::uint64_t size_;
   vk::raii::Buffer buffer_;
   vk::raii::DeviceMemory memory_;

@@ -57,14 +57,15 @@ vk::MemoryPropertyFlags Device::memory_flags(std::uint32_t type) const {
   return memory_.memoryTypes[type].propertyFlags;
 }
 
-void Device::reserve(std::uint64_t bytes, const std::string& what) {
-  if (reserved_ + bytes > budget_) {
+std::shared_ptr<void> Device::reserve(std::uint64_t bytes, const std::string& what) {
+  if (*reserved_ + bytes > budget_) {
     throw InputError(fmt::format(
         "{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
         with_unit_prefix(static_cast<double>(bytes)), with_unit_prefix(static_cast<double>(budget_)),
-        info_.name, with_unit_prefix(static_cast<double>(reserved_))));
+        info_.name, with_unit_prefix(static_cast<double>(*reserved_))));
   }
-  reserved_ += bytes;
+  *reserved_ += bytes;
+  return {nullptr, [reserved = reserved_, bytes](void*) { *reserved -= bytes; }};
 }
 
 void Device::run(const std::function<void(const vk::raii::CommandBuffer&)>& record) {

@@ -70,10 +70,10 @@ class Device {
                                           vk::MemoryPropertyFlags preferred) const;
   [[nodiscard]] vk::MemoryPropertyFlags memory_flags(std::uint32_t type) const;
 
-  /// Books memory against the device's heaps; throws InputError, before anything is allocated, if it cannot
-  /// fit.
-  void reserve(std::uint64_t bytes, const std::string& what);
-  [[nodiscard]] std::uint64_t reserved_bytes() const { return reserved_; }
+  /// Books memory against the device's heap; throws InputError, before anything is allocated, if it cannot
+  /// fit. The booking ends with the returned object.
+  [[nodiscard]] std::shared_ptr<void> reserve(std::uint64_t bytes, const std::string& what);
+  [[nodiscard]] std::uint64_t reserved_bytes() const { return *reserved_; }
 
   /// Records commands and waits until they have run.
   void run(const std::function<void(const vk::raii::CommandBuffer&)>& record);
@@ -91,7 +91,7 @@ class Device {
   vk::raii::CommandBuffer commands_;
   vk::raii::Fence fence_;
   std::uint64_t budget_ = 0;
-  std::uint64_t reserved_ = 0;
+  std::shared_ptr<std::uint64_t> reserved_ = std::make_shared<std::uint64_t>(0);  ///< bytes booked now
 };
 
 }  // namespace facet::gpu

@@ -13,6 +13,14 @@ namespace {
 /// Bounces recorded at a time where their number is not known beforehand.
 constexpr std::uint32_t bounces_per_submission = 8;
 
+/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops that run
+/// too long.
+constexpr std::uint32_t samples_per_film_dispatch = 256;
+
+std::uint32_t workgroups(std::uint32_t invocations) {
+  return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -74,8 +82,7 @@ void Renderer::run_wave(const Wave& wave) {
       r.bind(c, wave.film_piece);
       if (bounce == 0) {
         r.clear_counters(c, slots);
-        r.dispatch(c, Kernel::generate, constants,
-                   (slots + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
+        r.dispatch(c, Kernel::generate, constants, workgroups(slots));
         gpu::barrier(c);
       }
       for (; bounce < end; ++bounce) {
@@ -88,9 +95,12 @@ void Renderer::run_wave(const Wave& wave) {
   }
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, wave.film_piece);
-    r.dispatch(c, Kernel::film, constants,
-               (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);
-    gpu::barrier(c);
+    for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
+      constants.film_begin = k;
+      constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
+      r.dispatch(c, Kernel::film, constants, workgroups(constants.pixel_count));
+      gpu::barrier(c);
+    }
   });
   const auto counters = r.read_counters();
   statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
@@ -142,7 +152,7 @@ std::vector<shared::RayRecord> Renderer::camera_rays() {
   constants.pixel_count = std::min(r.slot_count(), r.pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
-  const std::uint32_t groups = (constants.pixel_count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
+  const std::uint32_t groups = workgroups(constants.pixel_count);
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, 0);
     r.clear_counters(c, constants.pixel_count);

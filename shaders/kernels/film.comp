@@ -16,7 +16,8 @@ void main() {
   FilmRecord squares = sums;
   if (VARIANCE) squares = film_squares[pixel];
   uint bad = 0u;
-  for (uint k = 0u; k < pass_constants.sample_count; ++k) {
+  uint k = pass_constants.film_begin;
+  while (k < pass_constants.film_end) {
     uint slot = local + k * pass_constants.pixel_count;
     vec3 radiance = paths[slot].radiance.rgb;
     bool good = is_good_sample(radiance);
@@ -25,8 +26,10 @@ void main() {
     if (good) add_sample(sums, value);
     if (VARIANCE && good) add_sample(squares, value * value);
     bad += good ? 0u : 1u;
+    ++k;
   }
   film[pixel] = sums;
   if (VARIANCE) film_squares[pixel] = squares;
   if (bad > 0u) atomicAdd(counters[COUNTER_BAD_SAMPLES], bad);
+  if (k < pass_constants.film_end) atomicAdd(counters[COUNTER_BOUND_HITS], 1u);
 }

@@ -37,12 +37,11 @@ vec3 to_local(Frame f, vec3 v) { return vec3(dot3(v, f.s), dot3(v, f.t), dot3(v,
 /// Frame to world.
 vec3 to_world(Frame f, vec3 v) { return f.s * v.x + f.t * v.y + f.n * v.z; }
 
-/// Origin of a ray that leaves the surface point p in direction d, moved along the geometric normal to d's side by the
-/// bound of p's rounding error (docs/sampling.md, "Ray offset"). magnitude: per axis, the sum of |b_i v_i| over the triangle.
-/// After M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., section 3.9.5.
-vec3 offset_ray_origin(vec3 p, vec3 magnitude, vec3 ng, vec3 d) {
-  vec3 error = magnitude * 9.53674316e-7;  // 16 * 2^-24
-  float distance = dot3(abs(ng), error);
+/// Origin of a ray that leaves the surface point p in direction d, moved along the geometric normal to d's side by a bound of
+/// the rounding errors of p and of a later test against the same plane (docs/sampling.md, "Ray offset"). magnitude: the
+/// largest absolute coordinate of the triangle's vertices.
+vec3 offset_ray_origin(vec3 p, float magnitude, vec3 ng, vec3 d) {
+  float distance = magnitude * 9.53674316e-7;  // 16 * 2^-24
   float side = dot3(d, ng) < 0.0 ? -1.0 : 1.0;
   return p + ng * (side * distance);
 }

@@ -7,7 +7,7 @@
 
 struct Surface {
   vec3 position;   // world space
-  vec3 magnitude;  // per axis, sum of |b_i v_i|: scales the bound of the position's rounding error
+  float magnitude;  // largest absolute coordinate of the triangle's vertices: scales the bound of rounding errors
   vec3 ng;         // geometric normal, unit, by the triangle's winding
   vec3 ns;         // shading normal, unit: interpolated where the mesh has vertex normals
   uint mesh;
@@ -23,11 +23,9 @@ Surface surface_at(uint i, float b1, float b2) {
   vec3 v2 = vertex_position(triangle.v2);
   float b0 = (1.0 - b1) - b2;
   Surface s;
-  vec3 p0 = b0 * v0;
-  vec3 p1 = b1 * v1;
-  vec3 p2 = b2 * v2;
-  s.position = (p0 + p1) + p2;
-  s.magnitude = (abs(p0) + abs(p1)) + abs(p2);
+  s.position = (b0 * v0 + b1 * v1) + b2 * v2;
+  vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
+  s.magnitude = max(largest.x, max(largest.y, largest.z));
   vec3 e1 = normalize_safe(v1 - v0);
   vec3 e2 = normalize_safe(v2 - v0);
   s.ng = normalize_safe(cross3(e1, e2));

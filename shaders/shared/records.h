@@ -150,9 +150,9 @@ struct PassConstants {
   uint stride;        // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
   uint stage;         // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
   uint film_first;    // crop pixel of the film's first record
+  uint film_begin;    // samples of the pass that film.comp adds: [film_begin, film_end)
+  uint film_end;
   uint unused0;
-  uint unused1;
-  uint unused2;
 };
 
 /// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.

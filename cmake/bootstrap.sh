@@ -1,0 +1,95 @@
+#!/bin/sh
+# Everything from a fresh Debian 12 to an image, or to the test results:
+#     sh cmake/bootstrap.sh render [SCENE.xml [options of facet render]]
+#     sh cmake/bootstrap.sh test [options of ctest]
+# Installs the Debian packages that are missing (apt, as root or through sudo), builds build/release, and runs. Works from any
+# folder: images are written to the folder it is called from. A second run takes seconds.
+set -eu
+
+common_packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools libglm-dev libtinyobjloader-dev
+  libopenexr-dev libpng-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
+test_packages="libgtest-dev vulkan-validationlayers"
+
+say() { echo "bootstrap: $*" >&2; }
+fail() {
+  say "$*"
+  exit 2
+}
+
+usage() { fail "usage: sh cmake/bootstrap.sh render [SCENE.xml [options]] | test [ctest options]"; }
+
+# The names among "$@" whose packages are not installed.
+missing_packages() {
+  for package in "$@"; do
+    status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || printf '%s ' "$package"
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo -n true 2>/dev/null || fail "packages are missing and sudo needs a password here; as root: apt-get install $missing"
+    sudo "$@"
+  else
+    fail "packages are missing and there is neither root nor sudo; as root: apt-get install $missing"
+  fi
+}
+
+# apt's output goes to a log that is shown only on failure.
+run_apt() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 </dev/null || {
+    tail -n 20 "$log" >&2
+    rm -f "$log"
+    fail "apt-get $1 failed (its last lines are above); is there a network, and does /etc/apt name a Debian mirror?"
+  }
+}
+
+install_packages() {
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    fail "this is no Debian (no apt-get): install the equivalents of $* yourself; README.md says how to build without this script"
+  missing=$(missing_packages "$@")
+  [ -n "$missing" ] || return 0
+  say "installing: $missing"
+  log=$(mktemp)
+  run_apt update
+  # shellcheck disable=SC2086
+  run_apt install --no-install-recommends $missing
+  rm -f "$log"
+}
+
+build() {
+  if [ ! -f "$root/build/release/build.ninja" ]; then
+    say "configuring build/release"
+    mkdir -p "$root/build"
+    (cd "$root" && cmake --preset release >build/configure.log 2>&1) || {
+      tail -n 30 "$root/build/configure.log" >&2
+      fail "configuring failed (its last lines are above)"
+    }
+  fi
+  say "building (the first time takes a few minutes)"
+  cmake --build "$root/build/release" --target "$@" >&2 || fail "building failed"
+}
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+[ $# -ge 1 ] || usage
+command=$1
+shift
+case $command in
+  render)
+    # shellcheck disable=SC2086
+    install_packages $common_packages $test_packages
+    build facet facet_scenes
+    if [ $# -eq 0 ]; then set -- "$root/scenes/cbox/cbox_conductors_mis.xml"; fi
+    exec "$root/build/release/host/facet" render "$@"
+    ;;
+  test)
+    # shellcheck disable=SC2086
+    install_packages $common_packages $test_packages
+    build all
+    cd "$root/build/release"
+    exec ctest --output-on-failure "$@"
+    ;;
+  *) usage ;;
+esac

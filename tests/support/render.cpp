@@ -1,0 +1,79 @@
+#include "support/render.h"
+
+#include <cmath>
+
+#include "scene/reader.h"
+
+namespace facet::test {
+
+namespace {
+
+gpu::Instance& instance() {
+  static gpu::Instance instance(true);
+  return instance;
+}
+
+}  // namespace
+
+RenderSettings whole_image(const Scene& scene, int spp) {
+  RenderSettings settings;
+  settings.crop = {0, 0, scene.camera.width, scene.camera.height};
+  settings.end_sample = static_cast<std::uint32_t>(spp);
+  settings.seed = scene.seed;
+  settings.variance = true;
+  return settings;
+}
+
+gpu::Device make_device() { return {instance(), instance().choose("")}; }
+
+void expect_silent_validation() {
+  static std::size_t heard = 0;
+  const auto& messages = instance().validation().messages;
+  for (; heard < messages.size(); ++heard) ADD_FAILURE() << "validation: " << messages[heard];
+}
+
+Rendered render(const Scene& scene, const RenderSettings& settings) {
+  gpu::Device device = make_device();
+  const PackedScene packed = pack_scene(scene);
+  Rendered result;
+  {
+    Renderer renderer(device, packed, find_features(scene, settings), settings);
+    renderer.render([](double, const RenderStatistics&) { return true; });
+    result.statistics = renderer.statistics();
+    result.film = renderer.film();
+  }
+  const Camera& c = scene.camera;
+  result.image = develop(result.film, settings.crop, c.width, c.height, settings.variance);
+  EXPECT_EQ(result.statistics.bad_samples, 0U);
+  EXPECT_EQ(result.statistics.bound_hits, 0U);
+  expect_silent_validation();
+  return result;
+}
+
+void set_integrator(Scene& scene, const std::string& name) {
+  const auto type = find_integrator_type(name);
+  ASSERT_TRUE(type) << name;
+  scene.integrator.type = *type;
+}
+
+Mean mean_of(const Image& image, int channel) {
+  Mean mean;
+  double variance = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      mean.value += image.at(x, y, channel);
+      variance += image.at(x, y, 3 + channel);
+    }
+  }
+  const double pixels = static_cast<double>(image.width()) * image.height();
+  mean.value /= pixels;
+  mean.error = std::sqrt(variance) / pixels;
+  return mean;
+}
+
+Scene load_scene(const std::string& name) {
+  Diagnostics diagnostics(true);
+  return read_scene(std::string(FACET_SCENES) + "/" + name, diagnostics);
+}
+
+}  // namespace facet::test

@@ -1,0 +1,45 @@
+#pragma once
+// Rendering in tests: on the default device, under the validation layers.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render/renderer.h"
+#include "scene/scene.h"
+
+namespace facet::test {
+
+struct Rendered {
+  Image image;  ///< with variance channels
+  FilmData film;
+  RenderStatistics statistics;
+};
+
+/// The whole image with `spp` samples.
+[[nodiscard]] RenderSettings whole_image(const Scene& scene, int spp);
+
+/// Renders and expects that no sample was bad, no bound was hit, and the validation layers kept silent.
+[[nodiscard]] Rendered render(const Scene& scene, const RenderSettings& settings);
+[[nodiscard]] inline Rendered render(const Scene& scene, int spp) {
+  return render(scene, whole_image(scene, spp));
+}
+
+/// A device with validation layers on.
+[[nodiscard]] gpu::Device make_device();
+/// Expects that the layers have said nothing since the last call.
+void expect_silent_validation();
+
+/// Sets the integrator by name.
+void set_integrator(Scene& scene, const std::string& name);
+
+/// Mean of a channel, and the standard error of that mean from the variance channels.
+struct Mean {
+  double value = 0;
+  double error = 0;
+};
+[[nodiscard]] Mean mean_of(const Image& image, int channel);
+
+/// A shipped scene.
+[[nodiscard]] Scene load_scene(const std::string& name);
+
+}  // namespace facet::test

@@ -1,0 +1,261 @@
+// EXR and PNG files: what is written is read back, and a failed write harms nothing.
+#include "image/image.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+#include <limits>
+
+#include "image/atomic_file.h"
+#include "image/files.h"
+#include "support/input.h"
+
+namespace facet {
+
+namespace {
+
+using test::expect_message;
+using test::input_error_of;
+
+using Names = std::vector<std::string>;
+
+/// Lets no file grow beyond a size, as a full disk does.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    (void)std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+/// Values without a pattern that compression could shrink to nothing.
+Image make_image(int width, int height, const Names& channels) {
+  Image image(width, height, channels);
+  std::uint32_t state = 1;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (int i = 0; i < width * height; ++i) {
+      state = 1664525U * state + 1013904223U;
+      image.at(i % width, i / width, static_cast<int>(c)) = static_cast<float>(state) * 1e-9F;
+    }
+  }
+  return image;
+}
+
+void expect_equal(const Image& a, const Image& b) {
+  ASSERT_EQ(a.width(), b.width());
+  ASSERT_EQ(a.height(), b.height());
+  ASSERT_EQ(a.channels().size(), b.channels().size());
+  for (std::size_t c = 0; c < a.channels().size(); ++c) {
+    const int other = b.find_channel(a.channels()[c]);
+    ASSERT_GE(other, 0) << a.channels()[c];
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) EXPECT_EQ(a.at(x, y, static_cast<int>(c)), b.at(x, y, other));
+    }
+  }
+}
+
+std::vector<std::uint8_t> read_png(const std::filesystem::path& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_file(&png, path.c_str()), 0) << png.message;
+  png.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
+  EXPECT_NE(png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr), 0) << png.message;
+  return pixels;
+}
+
+class ImageTest : public ::testing::Test {
+ protected:
+  /// Expects that the write fails with an InputError that names the file.
+  void expect_failure(const std::string& name,
+                      const std::function<void(const std::filesystem::path&)>& write) const {
+    const std::filesystem::path path = folder_.file(name);
+    expect_message(input_error_of([&] { return write(path), 0; }), path.string(), {"cannot write"});
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ImageTest, ChannelsAreFoundByName) {
+  const Image image(2, 3, {"R", "variance.R"});
+  EXPECT_EQ(image.find_channel("variance.R"), 1);
+  EXPECT_EQ(image.find_channel("G"), -1);
+  EXPECT_EQ(image.at(1, 2, 1), 0);
+  EXPECT_EQ(image.window.full_width, 2);
+  EXPECT_EQ(image.window.full_height, 3);
+}
+
+TEST_F(ImageTest, ExrKeepsEveryBit) {
+  Image image = make_image(13, 7, {"R", "G", "B", "variance.R", "samples.nonzero"});
+  image.at(0, 0, 0) = std::numeric_limits<float>::infinity();
+  image.at(1, 0, 0) = std::numeric_limits<float>::denorm_min();
+  image.at(2, 0, 0) = -0.0F;
+  write_exr(folder_.file("a.exr"), image);
+  const Image back = read_exr(folder_.file("a.exr"));
+  expect_equal(image, back);
+  EXPECT_TRUE(std::signbit(back.at(2, 0, back.find_channel("R"))));
+}
+
+TEST_F(ImageTest, ExrKeepsWindowAndMetadata) {
+  Image image = make_image(3, 2, {"R", "G", "B"});
+  image.window = {5, 4, 16, 9};
+  image.metadata = {
+      {"facet.scene", "cbox.xml"}, {"facet.seed", "7"}, {"facet.a-name-of-more-than-31-characters", ""}};
+  write_exr(folder_.file("a.exr"), image);
+  const Image back = read_exr(folder_.file("a.exr"));
+  expect_equal(image, back);
+  EXPECT_EQ(back.window.x, 5);
+  EXPECT_EQ(back.window.y, 4);
+  EXPECT_EQ(back.window.full_width, 16);
+  EXPECT_EQ(back.window.full_height, 9);
+  for (const auto& entry : image.metadata)
+    EXPECT_NE(std::find(back.metadata.begin(), back.metadata.end(), entry), back.metadata.end())
+        << entry.first;
+}
+
+TEST_F(ImageTest, UnreadableExrFilesAreNamed) {
+  folder_.write("text.exr", "this is no image\n");
+  folder_.write("empty.exr", "");
+  for (const char* name : {"text.exr", "empty.exr"})
+    expect_message(input_error_of([&] { return read_exr(folder_.file(name)); }), folder_.file(name).string(),
+                   {"not a readable EXR"});
+  const auto none = folder_.file("none.exr");
+  expect_message(input_error_of([&] { return read_exr(none); }), none.string(), {"no such file"});
+}
+
+TEST_F(ImageTest, AFolderIsNotReportedAsMissing) {
+  const std::string message = input_error_of([&] { return read_exr(folder_.path()); });
+  EXPECT_EQ(message.find("no such file"), std::string::npos) << message;
+}
+
+TEST_F(ImageTest, TruncatedExrFilesAreErrors) {
+  write_exr(folder_.file("a.exr"), make_image(40, 40, {"R", "G", "B"}));
+  const std::string whole = folder_.read("a.exr");
+  for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 50) {
+    folder_.write("cut.exr", whole.substr(0, size));
+    SCOPED_TRACE(size);
+    (void)input_error_of([&] { return read_exr(folder_.file("cut.exr")); });
+  }
+}
+
+TEST_F(ImageTest, DamagedExrFilesNeverCrash) {
+  write_exr(folder_.file("a.exr"), make_image(8, 8, {"R", "G", "B"}));
+  const std::string whole = folder_.read("a.exr");
+  std::size_t errors = 0;
+  for (std::size_t i = 0; i < whole.size(); i += 3) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+    folder_.write("bad.exr", damaged);
+    try {
+      (void)read_exr(folder_.file("bad.exr"));
+    } catch (const InputError&) {
+      ++errors;
+    }
+  }
+  EXPECT_GT(errors, 0U);
+}
+
+TEST_F(ImageTest, PngIsEncodedAsSrgb) {
+  const float inf = std::numeric_limits<float>::infinity();
+  const std::vector<std::pair<float, int>> cases{{0.F, 0},           {1.F, 255},   {0.5F, 188}, {0.18F, 118},
+                                                 {0.003F, 10},       {0.0002F, 1}, {2.F, 255},  {-1.F, 0},
+                                                 {std::nanf(""), 0}, {inf, 255},   {-inf, 0}};
+  Image image(static_cast<int>(cases.size()), 1, {"R", "G", "B"});
+  for (std::size_t i = 0; i < cases.size(); ++i) image.at(static_cast<int>(i), 0, 1) = cases[i].first;
+  write_png(folder_.file("a.png"), image, 0);
+  const auto pixels = read_png(folder_.file("a.png"));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(pixels.at(3 * i + 1), cases[i].second) << cases[i].first;
+    EXPECT_EQ(pixels.at(3 * i), 0) << "red, from another plane";
+  }
+}
+
+TEST_F(ImageTest, ExposureCountsStops) {
+  Image image(2, 1, {"B", "G", "R"});
+  image.at(0, 0, 2) = 0.25F;
+  image.at(1, 0, 2) = 1;
+  write_png(folder_.file("a.png"), image, 1);
+  EXPECT_EQ(read_png(folder_.file("a.png")), (std::vector<std::uint8_t>{188, 0, 0, 255, 0, 0}))
+      << "channels go by name";
+  write_png(folder_.file("a.png"), image, -1);
+  EXPECT_EQ(read_png(folder_.file("a.png"))[3], 188);
+}
+
+TEST_F(ImageTest, WritingLeavesOnlyTheFile) {
+  const Image image = make_image(4, 4, {"R", "G", "B"});
+  folder_.write("a.exr", "old");
+  write_exr(folder_.file("a.exr"), image);
+  write_png(folder_.file("a.png"), image, 0);
+  EXPECT_EQ(folder_.names(), (Names{"a.exr", "a.png"}));
+  expect_equal(image, read_exr(folder_.file("a.exr")));
+}
+
+TEST_F(ImageTest, AFullDiskLeavesTheOldFile) {
+  const Image image = make_image(64, 64, {"R", "G", "B"});
+  folder_.write("a.exr", "old");
+  folder_.write("a.png", "old");
+  {
+    const FullDisk full(1000);
+    expect_failure("a.exr", [&](const auto& path) { write_exr(path, image); });
+    expect_failure("a.png", [&](const auto& path) { write_png(path, image, 0); });
+  }
+  EXPECT_EQ(folder_.read("a.exr"), "old");
+  EXPECT_EQ(folder_.read("a.png"), "old");
+  EXPECT_EQ(folder_.names(), (Names{"a.exr", "a.png"}));
+}
+
+TEST_F(ImageTest, FoldersAreNotReplaced) {
+  const Image image = make_image(4, 4, {"R", "G", "B"});
+  std::filesystem::create_directory(folder_.file("a"));
+  expect_failure("a", [&](const auto& path) { write_exr(path, image); });
+  expect_failure("a", [&](const auto& path) { write_png(path, image, 0); });
+  expect_failure("a", check_writable);
+  EXPECT_TRUE(std::filesystem::is_directory(folder_.file("a")));
+  EXPECT_EQ(folder_.names(), Names{"a"});
+}
+
+TEST_F(ImageTest, MissingFoldersAreErrors) {
+  const Image image = make_image(4, 4, {"R", "G", "B"});
+  expect_failure("none/a.exr", [&](const auto& path) { write_exr(path, image); });
+  expect_failure("none/a.png", [&](const auto& path) { write_png(path, image, 0); });
+  expect_message(input_error_of([&] { return check_writable(folder_.file("none/a.exr")), 0; }),
+                 folder_.file("none/a.exr").string(), {"no such folder"});
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+TEST_F(ImageTest, CheckWritableLeavesNothingBehind) {
+  check_writable(folder_.file("new.exr"));
+  EXPECT_TRUE(folder_.names().empty());
+  folder_.write("old.exr", "old");
+  check_writable(folder_.file("old.exr"));
+  EXPECT_EQ(folder_.names(), Names{"old.exr"});
+  EXPECT_EQ(folder_.read("old.exr"), "old");
+}
+
+TEST_F(ImageTest, UncommittedFilesVanish) {
+  {
+    const AtomicFile file(folder_.file("a.txt"));
+    std::ofstream(file.temporary()) << "new";
+    EXPECT_EQ(folder_.names().size(), 1U);
+    EXPECT_NE(file.temporary(), folder_.file("a.txt"));
+  }
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+}  // namespace
+
+}  // namespace facet

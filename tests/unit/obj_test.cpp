@@ -1,0 +1,207 @@
+// Wavefront OBJ: what is accepted, and the line of what is not.
+#include "scene/mesh/obj.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "support/input.h"
+
+namespace facet {
+
+namespace {
+
+using test::expect_message;
+using test::input_error_of;
+using test::place;
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+class ObjTest : public ::testing::Test {
+ protected:
+  Mesh read(const std::string& text, const dmat4& to_world = dmat4(1)) {
+    return read_obj(folder_.write("mesh.obj", text), to_world, {"scene.xml", 7}, diagnostics_);
+  }
+  void expect_error(const std::string& text, int line, std::initializer_list<const char*> words) {
+    SCOPED_TRACE(text);
+    const std::string message = input_error_of([&] { return read(text); });
+    expect_message(message, place(folder_.file("mesh.obj"), line), words);
+  }
+
+  test::TemporaryFolder folder_;
+  Diagnostics diagnostics_;
+};
+
+double area(const Mesh& mesh) {
+  double sum = 0;
+  for (const uvec3& t : mesh.position_indices) {
+    const vec3 a = mesh.positions[t.x];
+    sum +=
+        0.5 * static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a)));
+  }
+  return sum;
+}
+
+TEST_F(ObjTest, OneTriangle) {
+  const Mesh mesh = read("# comment\nv 1 2 3\nv 4 5 6\nv 7 8 10\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions, (std::vector<vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}));
+  EXPECT_EQ(mesh.position_indices, (std::vector<uvec3>{{0, 1, 2}}));
+  EXPECT_TRUE(mesh.normal_indices.empty());
+  EXPECT_TRUE(mesh.texcoord_indices.empty());
+  EXPECT_EQ(mesh.name, "mesh.obj");
+  EXPECT_EQ(mesh.emitter, none);
+}
+
+TEST_F(ObjTest, PolygonsAreTriangulated) {
+  const Mesh quad = read(square + "f 1 2 3 4\n");
+  EXPECT_EQ(quad.position_indices.size(), 2U);
+  EXPECT_NEAR(area(quad), 1, 1e-6);
+  const Mesh pentagon = read(square + "v -1 0.5 0\nf 1 2 3 4 5\n");
+  EXPECT_EQ(pentagon.position_indices.size(), 3U);
+  EXPECT_NEAR(area(pentagon), 1.5, 1e-6);
+}
+
+TEST_F(ObjTest, ConcavePolygonsKeepTheirArea) {
+  const Mesh arrow = read("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
+  EXPECT_EQ(arrow.position_indices.size(), 3U);
+  EXPECT_NEAR(area(arrow), 2.5, 1e-6);
+}
+
+TEST_F(ObjTest, TrianglesOfAPolygonKeepItsOrientation) {
+  const Mesh mesh = read(square + "v -1 0.5 0\nf 1 2 3 4 5\nf 4 3 2 1\n");
+  ASSERT_EQ(mesh.position_indices.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const uvec3 t = mesh.position_indices[i];
+    const vec3 a = mesh.positions[t.x];
+    const float z = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a).z;
+    EXPECT_GT(i < 3 ? z : -z, 0) << "triangle " << i;
+  }
+}
+
+TEST_F(ObjTest, NegativeIndicesCountFromTheEnd) {
+  const Mesh mesh = read("v 9 9 9\n" + square + "f -4 -3 -2\nv 5 5 5\nf -1 1 2\n");
+  EXPECT_EQ(mesh.position_indices, (std::vector<uvec3>{{1, 2, 3}, {5, 0, 1}}));
+}
+
+TEST_F(ObjTest, EveryKindOfCornerMayBeMixed) {
+  const Mesh mesh = read(square +
+                         "vt 0.25 0.75\nvt 1 0\nvn 0 0 2\n"
+                         "f 1 2 3\nf 1/1 2/2 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/2/1 3/2/1\n");
+  ASSERT_EQ(mesh.position_indices.size(), 4U);
+  ASSERT_EQ(mesh.normal_indices.size(), 4U);
+  ASSERT_EQ(mesh.texcoord_indices.size(), 4U);
+  EXPECT_EQ(mesh.normal_indices[0].x, none);
+  EXPECT_EQ(mesh.normal_indices[1].x, none);
+  EXPECT_EQ(mesh.normal_indices[2], uvec3(0, 0, 0));
+  EXPECT_EQ(mesh.texcoord_indices[0].x, none);
+  EXPECT_EQ(mesh.texcoord_indices[1], uvec3(0, 1, 0));
+  EXPECT_EQ(mesh.texcoord_indices[2].x, none);
+  EXPECT_EQ(mesh.texcoord_indices[3], uvec3(0, 1, 1));
+  EXPECT_EQ(mesh.texcoords, (std::vector<vec2>{{0.25F, 0.75F}, {1, 0}}));
+  EXPECT_EQ(mesh.normals.at(0), vec3(0, 0, 1)) << "normals are made unit";
+}
+
+TEST_F(ObjTest, NormalsOfSomeCornersAreNone) {
+  EXPECT_TRUE(read(square + "vn 0 0 1\nf 1//1 2 3//1\n").normal_indices.empty());
+}
+
+TEST_F(ObjTest, GroupsMaterialsAndLineEndingsDoNotMatter) {
+  const std::string text =
+      "mtllib none.mtl\r\no a\r\nv 0 0 0\r\nv\t1 0 0\r\nv 0 1 0 1.0\r\ng b\r\nusemtl c\r\ns 1\r\nf 1 2 3";
+  const Mesh mesh = read(text);
+  EXPECT_EQ(mesh.position_indices, (std::vector<uvec3>{{0, 1, 2}}));
+  EXPECT_EQ(mesh.positions.at(1), vec3(1, 0, 0));
+}
+
+TEST_F(ObjTest, NormalsAreTransformedByTheInverseTranspose) {
+  const dmat4 stretch = glm::scale(dmat4(1), dvec3(1, 4, 1));
+  const Mesh mesh =
+      read(square + "vn 1 1 0\nf 1//1 2//1 3//1\n", glm::translate(dmat4(1), dvec3(5)) * stretch);
+  const vec3 expected = glm::normalize(vec3(1, 0.25F, 0));
+  EXPECT_NEAR(mesh.normals.at(0).x, expected.x, 1e-6F);
+  EXPECT_NEAR(mesh.normals.at(0).y, expected.y, 1e-6F);
+  EXPECT_NEAR(mesh.normals.at(0).z, 0, 1e-6F);
+  EXPECT_EQ(mesh.positions.at(2), vec3(6, 9, 5));
+}
+
+TEST_F(ObjTest, MirroringMirrorsNormals) {
+  const Mesh mesh = read(square + "vn 1 0 0\nf 1//1 2//1 3//1\n", glm::scale(dmat4(1), dvec3(-1, 1, 1)));
+  EXPECT_EQ(mesh.normals.at(0), vec3(-1, 0, 0));
+}
+
+TEST_F(ObjTest, AZeroNormalStaysZero) {
+  EXPECT_EQ(read(square + "vn 0 0 0\nf 1//1 2//1 3//1\n").normals.at(0), vec3(0));
+}
+
+TEST_F(ObjTest, FilesWithoutFacesDrawAWarning) {
+  for (const char* text : {"", "\n\n", "# nothing\n", "v 0 0 0\n"}) {
+    diagnostics_ = Diagnostics();
+    EXPECT_TRUE(read(text).position_indices.empty());
+    ASSERT_EQ(diagnostics_.warnings().size(), 1U);
+    expect_message(diagnostics_.warnings()[0], "scene.xml:7", {"mesh.obj", "no faces"});
+  }
+}
+
+TEST_F(ObjTest, CoordinatesMustBeFiniteNumbers) {
+  expect_error("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", 2, {"nan", "not a finite number"});
+  expect_error("v 0 0 0\n\nv 0 inf 0\n", 3, {"inf", "not a finite number"});
+  expect_error("v 0 0 zero\n", 1, {"zero", "not a finite number"});
+  expect_error(square + "vn 0 0 nan\n", 5, {"nan"});
+  expect_error(square + "vt x 0\n", 5, {"x"});
+  expect_error("v 0 0 1e999\n", 1, {"1e999", "not a finite number"});
+  expect_error("v 0 0 -\n", 1, {"-", "not a finite number"});
+  expect_error("v 0 0 1.2.3\n", 1, {"1.2.3", "not a finite number"});
+  expect_error("v 0 0 1e\n", 1, {"1e", "not a finite number"});
+  expect_error(square + "vt 1e999 0\n", 5, {"1e999"});
+}
+
+TEST_F(ObjTest, MissingCoordinatesAreErrors) {
+  expect_error("v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", 2, {});
+  expect_error("v 0 0 0\nv\nv 0 1 0\nf 1 2 3\n", 2, {});
+}
+
+TEST_F(ObjTest, WorldCoordinatesMustBeFinite) {
+  const dmat4 huge = glm::scale(dmat4(1), dvec3(1e39));
+  const std::string message = input_error_of([&] { return read(square + "f 1 2 3\n", huge); });
+  EXPECT_NE(message.find("not finite"), std::string::npos) << message;
+  EXPECT_NE(message.find("mesh.obj"), std::string::npos) << message;
+}
+
+TEST_F(ObjTest, IndicesOutOfRangeNameTheLine) {
+  expect_error(square + "f 1 2 3\nf 1 2 5\n", 6, {});
+  expect_error(square + "f 1 2 -5\n", 5, {});
+  expect_error(square + "f 1 2 3 5\n", 5, {});
+  expect_error(square + "f 1 2 3 4 5\n", 5, {});
+  expect_error(square + "f 1 2 99999999999\n", 5, {});
+  expect_error(square + "f 1 2 4294967297\n", 5, {});
+  expect_error(square + "f\t1 2 5\n", 5, {});
+}
+
+TEST_F(ObjTest, OutOfRangeNormalsAndTextureCoordinatesNameTheLine) {
+  expect_error(square + "vn 0 0 1\nf 1//2 2//2 3//2\n", 6, {});
+  expect_error(square + "vn 0 0 1\nf 1//-2 2//-2 3//-2\n", 6, {});
+  expect_error(square + "vt 0 0\nf 1/1 2/1 3/2\n", 6, {});
+}
+
+TEST_F(ObjTest, ZeroIndicesNameTheLine) {
+  expect_error(square + "f 0 1 2\n", 5, {});
+  expect_error(square + "vn 0 0 1\nf 1//0 2//1 3//1\n", 6, {});
+}
+
+TEST_F(ObjTest, MalformedFacesNameTheLine) {
+  expect_error(square + "f a b c\n", 5, {});
+  expect_error(square + "f 1 2\n", 5, {});
+  expect_error(square + "f 1 2 3x\n", 5, {});
+}
+
+TEST_F(ObjTest, MissingFilesNameThePlaceInTheScene) {
+  const SourceLocation where{"scene.xml", 7};
+  for (const auto& path : {folder_.file("none.obj"), folder_.path()}) {
+    const std::string message = input_error_of([&] { return read_obj(path, dmat4(1), where, diagnostics_); });
+    expect_message(message, "scene.xml:7", {"cannot read", path.c_str()});
+  }
+}
+
+}  // namespace
+
+}  // namespace facet

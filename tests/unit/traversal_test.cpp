@@ -1,0 +1,278 @@
+// The kernels' hits against brute force in double precision, and watertightness.
+#include <cmath>
+#include <random>
+
+#include "core/parallel.h"
+#include "support/render.h"
+#include "support/scenes.h"
+
+namespace facet::test {
+namespace {
+
+struct Candidate {
+  double t = 1e300;
+  double margin = 0;  ///< smallest barycentric weight: near 0 at an edge
+  std::uint32_t id = none;
+};
+
+/// Moeller and Trumbore 1997, in double.
+Candidate intersect(const shared::RayRecord& ray, const std::array<dvec3, 3>& v, std::uint32_t id) {
+  const dvec3 o(ray.origin);
+  const dvec3 d(ray.direction);
+  const dvec3 e1 = v[1] - v[0];
+  const dvec3 e2 = v[2] - v[0];
+  const dvec3 p = glm::cross(d, e2);
+  const double det = glm::dot(e1, p);
+  if (det == 0) return {};
+  const double b1 = glm::dot(o - v[0], p) / det;
+  const dvec3 q = glm::cross(o - v[0], e1);
+  const double b2 = glm::dot(d, q) / det;
+  return {glm::dot(e2, q) / det, std::min({b1, b2, 1 - b1 - b2}), id};
+}
+
+std::vector<std::array<dvec3, 3>> all_triangles(const Scene& scene) {
+  std::vector<std::array<dvec3, 3>> triangles;
+  for (const Mesh& m : scene.meshes) {
+    for (const uvec3& i : m.position_indices)
+      triangles.push_back({m.positions[i.x], m.positions[i.y], m.positions[i.z]});
+  }
+  return triangles;
+}
+
+/// How the kernels' hits compare with brute force.
+struct Comparison {
+  std::size_t rays = 0;
+  std::size_t hits = 0;
+  std::size_t unexplained = 0;  ///< differences that rounding cannot make
+  std::string first;
+};
+
+/// A kernel's hit is right if its triangle is hit there in exact arithmetic up to rounding, and nothing
+/// clearly inside a triangle is clearly nearer. `slack` bounds rounding: of t relative to t, and of
+/// barycentric weights.
+std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit, std::uint32_t id,
+                      const std::vector<std::array<dvec3, 3>>& triangles, double slack) {
+  Candidate nearest;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const Candidate c = intersect(ray, triangles[i], i);
+    if (c.id != none && c.margin > slack && c.t > ray.origin.w && c.t < ray.direction.w && c.t < nearest.t)
+      nearest = c;
+  }
+  if (hit.triangle == none)
+    return nearest.id == none ? "" : fmt::format("missed triangle {} at {}", nearest.id, nearest.t);
+  const Candidate own = intersect(ray, triangles[id], id);
+  const double tolerance = slack * std::abs(own.t);
+  if (own.margin < -slack) return fmt::format("hit triangle {} outside by {}", id, own.margin);
+  if (std::abs(own.t - static_cast<double>(hit.t)) > tolerance)
+    return fmt::format("t {} instead of {}", hit.t, own.t);
+  if (nearest.t < own.t - tolerance)
+    return fmt::format("triangle {} at {} is nearer than {} at {}", nearest.id, nearest.t, id, own.t);
+  return "";
+}
+
+Comparison compare_with_brute_force(const Scene& scene, double slack, bool storage_buffers = false) {
+  gpu::Device device = make_device();
+  RenderSettings settings = whole_image(scene, 1);
+  settings.force_storage_buffers = storage_buffers;
+  const PackedScene packed = pack_scene(scene);
+  Renderer renderer(device, packed, find_features(scene, settings), settings);
+  const std::vector<shared::RayRecord> rays = renderer.camera_rays();
+  const std::vector<shared::HitRecord> hits = renderer.camera_hits();
+  expect_silent_validation();
+  const auto triangles = all_triangles(scene);
+  std::vector<std::string> complaints(rays.size());
+  parallel_for(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t id = hits[i].triangle == none ? none : packed.triangles[hits[i].triangle].v1.w;
+      complaints[i] = check_hit(rays[i], hits[i], id, triangles, slack);
+    }
+  });
+  Comparison result;
+  result.rays = rays.size();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    result.hits += hits[i].triangle != none ? 1 : 0;
+    if (complaints[i].empty()) continue;
+    ++result.unexplained;
+    if (result.first.empty()) result.first = fmt::format("ray {}: {}", i, complaints[i]);
+  }
+  return result;
+}
+
+void expect_right_hits(const Scene& scene, double slack, std::size_t least_hits) {
+  for (const bool storage_buffers : {false, true}) {
+    const Comparison c = compare_with_brute_force(scene, slack, storage_buffers);
+    EXPECT_EQ(c.unexplained, 0U) << c.first;
+    EXPECT_GE(c.hits, least_hits) << "of " << c.rays;
+  }
+}
+
+class ShippedScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedScene, camera_rays_hit_what_brute_force_hits) {
+  Scene scene = load_scene(GetParam());
+  const double aspect = static_cast<double>(scene.camera.height) / scene.camera.width;
+  scene.camera.width = 48;
+  scene.camera.height = static_cast<int>(48 * aspect);
+  expect_right_hits(scene, 1e-4, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Traversal, ShippedScene,
+                         testing::Values("cbox/cbox_conductors_mis.xml", "veach_mi/veach_mi_mis.xml",
+                                         "serapis/serapis_rough_mis.xml", "furnace/furnace_050.xml"));
+
+Scene triangle_soup(std::uint32_t seed, int count, float size, float stretch) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  const auto next = [&] {
+    const float x = uniform(engine);
+    const float y = uniform(engine);
+    const float z = uniform(engine);
+    return vec3(x, y, z);
+  };
+  std::vector<vec3> corners;
+  for (int i = 0; i < count; ++i) {
+    const vec3 centre = next();
+    for (int k = 0; k < 3; ++k)
+      corners.push_back(centre + next() * vec3(size, size * stretch, size / stretch));
+  }
+  Scene scene = make_scene("normals");
+  add_mesh(scene, make_mesh(corners), bsdf::Diffuse{});
+  set_camera(scene, 48, 60, {0.1, 0.2, -3}, {0, 0, 0});
+  return scene;
+}
+
+TEST(Traversal, random_soup) { expect_right_hits(triangle_soup(1, 20000, 0.05F, 1), 1e-4, 1000); }
+TEST(Traversal, needles) { expect_right_hits(triangle_soup(2, 5000, 0.05F, 20), 1e-4, 1000); }
+TEST(Traversal, huge_triangles_through_each_other) {
+  expect_right_hits(triangle_soup(3, 300, 10, 1), 1e-4, 1000);
+}
+
+TEST(Traversal, a_thousand_coincident_triangles) {
+  Scene scene = make_scene("normals");
+  std::vector<vec3> corners;
+  for (int i = 0; i < 1000; ++i) corners.insert(corners.end(), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  add_mesh(scene, make_mesh(corners), bsdf::Diffuse{});
+  set_camera(scene, 32, 40, {0, 0, -3}, {0, 0, 0});
+  expect_right_hits(scene, 1e-4, 100);
+}
+
+TEST(Traversal, triangles_without_area_are_not_there) {
+  Scene scene = make_scene("normals");
+  add_mesh(scene,
+           make_mesh({{-1, -1, 0},
+                      {1, 1, 0},
+                      {0, 0, 0},
+                      {1, 1, 1},
+                      {1, 1, 1},
+                      {1, 1, 1},
+                      {-1, -1, 1},
+                      {1, -1, 1},
+                      {0, 1, 1}}),
+           bsdf::Diffuse{});
+  set_camera(scene, 32, 60, {0, 0, -3}, {0, 0, 0});
+  EXPECT_EQ(pack_scene(scene).triangles.size(), 1U);
+  expect_right_hits(scene, 1e-4, 50);
+}
+
+TEST(Traversal, an_empty_scene_is_missed) {
+  Scene scene = make_scene("normals");
+  set_camera(scene, 16, 60, {0, 0, -3}, {0, 0, 0});
+  EXPECT_EQ(compare_with_brute_force(scene, 1e-4).hits, 0U);
+}
+
+TEST(Traversal, sizes_from_1e_6_to_1e6) {
+  for (const float scale : {1e-6F, 1e-3F, 1e3F, 1e6F}) {
+    Scene scene = triangle_soup(4, 3000, 0.1F, 1);
+    transform(scene.meshes[0], scale, vec3(0));
+    scene.camera.to_world[3] *= glm::dvec4(scale, scale, scale, 1);
+    expect_right_hits(scene, 1e-4, 1000);
+  }
+}
+
+TEST(Traversal, big_and_tiny_triangles_together) {
+  Scene scene = triangle_soup(5, 3000, 0.1F, 1);
+  Mesh tiny = scene.meshes[0];
+  transform(tiny, 1e-4F, {0.3F, 0.1F, 0});
+  add_mesh(scene, tiny, bsdf::Diffuse{});
+  Mesh huge = scene.meshes[0];
+  transform(huge, 1e4F, {0, 0, 1.5e4F});
+  add_mesh(scene, huge, bsdf::Diffuse{});
+  expect_right_hits(scene, 1e-4, 1000);
+}
+
+std::uint64_t count_nonzero(const FilmData& film) {
+  std::uint64_t nonzero = 0;
+  for (const shared::FilmRecord& pixel : film.sums) nonzero += pixel.nonzero;
+  return nonzero;
+}
+
+/// Rays from inside a closed mesh that do not hit it.
+std::uint64_t count_leaks(Mesh mesh, const dvec3& camera, const std::string& integrator, int spp) {
+  Scene scene = make_scene(integrator);
+  add_mesh(scene, std::move(mesh), bsdf::Diffuse{});
+  set_camera(scene, 500, 150, camera, camera + dvec3(0.3, 0.2, 1));
+  RenderSettings settings = whole_image(scene, spp);
+  settings.variance = false;
+  const Rendered r = render(scene, settings);
+  const std::uint64_t nonzero = count_nonzero(r.film);
+  // depth is 0 for a miss; ambient occlusion is 0 for a hit.
+  return integrator == "depth" ? r.statistics.samples - nonzero : nonzero;
+}
+
+TEST(Watertight, no_camera_ray_leaks_in_10_million) {
+  EXPECT_EQ(count_leaks(make_sphere(6, true), {0.01, 0.02, 0.03}, "depth", 14), 0U);
+  EXPECT_EQ(count_leaks(make_room(50), {0, 0, 0}, "depth", 14), 0U);
+  Mesh far = make_sphere(5, true);
+  transform(far, 1, {1000, 2000, -500});
+  EXPECT_EQ(count_leaks(far, {1000, 2000, -500}, "depth", 14), 0U);
+}
+
+TEST(Watertight, no_shadow_ray_leaks_out_of_a_ball) {
+  EXPECT_EQ(count_leaks(make_sphere(5, true), {0.01, 0.02, 0.03}, "ao", 10), 0U);
+}
+
+/// Samples in which a convex body, seen from outside, blocks its own sky.
+std::uint64_t count_self_shadowed(const Mesh& mesh, const dvec3& centre, double size) {
+  Scene scene = make_scene("depth");
+  add_mesh(scene, mesh, bsdf::Diffuse{});
+  set_camera(scene, 300, 40, centre + size * dvec3(2, 1.5, -2), centre);
+  RenderSettings settings = whole_image(scene, 10);
+  settings.variance = false;
+  const std::uint64_t hits = count_nonzero(render(scene, settings).film);
+  EXPECT_GT(hits, 100000U);
+  set_integrator(scene, "ao");
+  return hits - count_nonzero(render(scene, settings).film);
+}
+
+TEST(SelfIntersection, a_convex_body_never_shadows_itself) {
+  for (const float size : {1e-6F, 1.0F, 1e6F}) {
+    for (const vec3& centre : {vec3(0), vec3(size, 0, 0), vec3(300 * size, -1000 * size, 50 * size)}) {
+      for (Mesh mesh : {make_sphere(1, false), make_sphere(5, false)}) {
+        transform(mesh, size, centre);
+        EXPECT_EQ(count_self_shadowed(mesh, centre, size), 0U)
+            << size << " at " << centre.x << ", " << mesh.positions.size();
+      }
+    }
+  }
+}
+
+/// Planes through the origin, whose coordinates vanish, at every tilt.
+TEST(SelfIntersection, a_plane_through_the_origin_never_shadows_itself) {
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.05 + 0.13 * i;
+    const vec3 u(std::cos(angle), std::sin(angle), 0);
+    const vec3 v(0, i % 3, 1);
+    const dvec3 n = glm::normalize(glm::cross(dvec3(v), dvec3(u)));
+    Mesh mesh = make_quad(-u - v, u - v, u + v, -u + v);
+    Scene scene = make_scene("depth");
+    add_mesh(scene, mesh, bsdf::Diffuse{});
+    set_camera(scene, 100, 20, 3.0 * n, {0, 0, 0}, {0.1, 0.2, 0.3});
+    const std::uint64_t hits = count_nonzero(render(scene, 16).film);
+    set_integrator(scene, "ao");
+    EXPECT_EQ(count_nonzero(render(scene, 16).film), hits) << i;
+    EXPECT_GT(hits, 10000U);
+  }
+}
+
+}  // namespace
+}  // namespace facet::test
