@@ -13,11 +13,24 @@ namespace {
 constexpr int largest_cell = 16;
 constexpr double least_contributions = 30;
 
+using Channels = std::array<double, 3>;
+
 /// Sums over a cell of one image.
 struct CellSums {
-  std::array<double, 3> value{};
-  std::array<double, 3> variance{};
+  Channels value{};     ///< of the pixels' means
+  Channels variance{};  ///< of those means
+  Channels total{};     ///< of all samples
+  Channels squares{};   ///< of all samples' squares
   double nonzero = 0;
+
+  /// Kish's effective number of contributions, the least over the channels that are not black.
+  [[nodiscard]] double contributions() const {
+    double least = nonzero;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (squares[c] > 0) least = std::min(least, total[c] * total[c] / squares[c]);
+    }
+    return least;
+  }
 };
 
 /// The channels of an image that the test reads.
@@ -25,15 +38,17 @@ struct Layers {
   const Image* image;
   std::array<int, 3> value;
   std::array<int, 3> variance;
+  int samples;
   int nonzero;
 
   explicit Layers(const Image& i)
       : image(&i),
         value{i.find_channel("R"), i.find_channel("G"), i.find_channel("B")},
         variance{i.find_channel("variance.R"), i.find_channel("variance.G"), i.find_channel("variance.B")},
+        samples(i.find_channel("samples")),
         nonzero(i.find_channel("samples.nonzero")) {
-    if (value[0] < 0 || value[1] < 0 || value[2] < 0 || variance[0] < 0 || variance[1] < 0 ||
-        variance[2] < 0 || nonzero < 0) {
+    if (*std::min_element(value.begin(), value.end()) < 0 ||
+        *std::min_element(variance.begin(), variance.end()) < 0 || samples < 0 || nonzero < 0) {
       throw InputError("a z-test needs images with variance channels (--aov variance)");
     }
   }
@@ -41,15 +56,23 @@ struct Layers {
   [[nodiscard]] CellSums sum(int x0, int y0, int size) const {
     CellSums s;
     for (int y = y0; y < std::min(y0 + size, image->height()); ++y) {
-      for (int x = x0; x < std::min(x0 + size, image->width()); ++x) {
-        s.nonzero += image->at(x, y, nonzero);
-        for (std::size_t c = 0; c < 3; ++c) {
-          s.value[c] += image->at(x, y, value[c]);
-          s.variance[c] += image->at(x, y, variance[c]);
-        }
-      }
+      for (int x = x0; x < std::min(x0 + size, image->width()); ++x) add_pixel(s, x, y);
     }
     return s;
+  }
+
+ private:
+  void add_pixel(CellSums& s, int x, int y) const {
+    const double n = image->at(x, y, samples);
+    s.nonzero += image->at(x, y, nonzero);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double mean = image->at(x, y, value[c]);
+      const double var = image->at(x, y, variance[c]);
+      s.value[c] += mean;
+      s.variance[c] += var;
+      s.total[c] += n * mean;
+      s.squares[c] += n * (n - 1) * var + n * mean * mean;
+    }
   }
 };
 
@@ -62,7 +85,7 @@ class ZTest {
 
   ZTestResult run(double significance) {
     for (int y = 0; y < a_.image->height(); y += largest_cell) {
-      for (int x = 0; x < a_.image->width(); x += largest_cell) test_cell(x, y, largest_cell);
+      for (int x = 0; x < a_.image->width(); x += largest_cell) test_cell(x, y, largest_cell, {}, {});
     }
     const auto tests = static_cast<double>(std::max<std::size_t>(result_.cells, 1));
     result_.critical_z = two_sided_normal_quantile(-std::expm1(std::log1p(-significance) / tests));
@@ -70,33 +93,57 @@ class ZTest {
   }
 
  private:
-  /// Tests a cell in the smallest parts that have enough contributions each.
-  void test_cell(int x, int y, int size) {
-    if (size > 1 && can_be_divided(x, y, size)) {
-      const int half = size / 2;
-      for (const int dy : {0, half}) {
-        for (const int dx : {0, half}) {
-          if (x + dx < a_.image->width() && y + dy < a_.image->height()) test_cell(x + dx, y + dy, half);
-        }
-      }
-      return;
-    }
-    const CellSums a = a_.sum(x, y, size);
-    const CellSums b = b_.sum(x, y, size);
-    for (std::size_t c = 0; c < 3; ++c) test_channel(a, b, c, x, y, size);
+  /// Pixels of a cell, which may reach over the image's border.
+  [[nodiscard]] int area(int x, int y, int size) const {
+    return (std::min(x + size, a_.image->width()) - x) * (std::min(y + size, a_.image->height()) - y);
   }
 
-  /// Whether each quarter has enough contributions in both images, or is black in both.
-  [[nodiscard]] bool can_be_divided(int x, int y, int size) const {
+  /// Tests a cell in the smallest parts that have enough contributions each. The floors are variances per
+  /// pixel.
+  void test_cell(int x, int y, int size, const Channels& floor_a, const Channels& floor_b) {
+    CellSums a = a_.sum(x, y, size);
+    CellSums b = b_.sum(x, y, size);
+    const double pixels = area(x, y, size);
+    if (size > 1 && can_be_divided(x, y, size, std::min(a.contributions(), b.contributions()))) {
+      const auto share = [pixels](Channels v) {
+        for (double& c : v) c /= pixels;
+        return v;
+      };
+      const Channels next_a = share(a.variance);
+      const Channels next_b = share(b.variance);
+      for_each_part(x, y, size, [&](int px, int py) { test_cell(px, py, size / 2, next_a, next_b); });
+      return;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      // A channel that is black in the cell needs no variance, and gets none from its neighbours.
+      if (a.variance[c] > 0) a.variance[c] = std::max(a.variance[c], floor_a[c] * pixels);
+      if (b.variance[c] > 0) b.variance[c] = std::max(b.variance[c], floor_b[c] * pixels);
+      test_channel(a, b, c, x, y, size);
+    }
+  }
+
+  template <typename Body>
+  void for_each_part(int x, int y, int size, const Body& body) const {
     const int half = size / 2;
     for (const int dy : {0, half}) {
       for (const int dx : {0, half}) {
-        const double a = a_.sum(x + dx, y + dy, half).nonzero;
-        const double b = b_.sum(x + dx, y + dy, half).nonzero;
-        if ((a < least_contributions || b < least_contributions) && (a > 0 || b > 0)) return false;
+        if (x + dx < a_.image->width() && y + dy < a_.image->height()) body(x + dx, y + dy);
       }
     }
-    return true;
+  }
+
+  /// Whether the cell leaves enough contributions for each part, and each part has them in both images, or is
+  /// black in both.
+  [[nodiscard]] bool can_be_divided(int x, int y, int size, double contributions) const {
+    bool divide = true;
+    bool any = contributions >= 4 * least_contributions;
+    for_each_part(x, y, size, [&](int px, int py) {
+      const double a = a_.sum(px, py, size / 2).contributions();
+      const double b = b_.sum(px, py, size / 2).contributions();
+      divide = divide && ((a >= least_contributions && b >= least_contributions) || (a == 0 && b == 0));
+      any = any || (a == 0 && b == 0);
+    });
+    return divide && any;
   }
 
   void test_channel(const CellSums& a, const CellSums& b, std::size_t c, int x, int y, int size) {
@@ -106,7 +153,7 @@ class ZTest {
       if (a.value[c] != b.value[c]) ++result_.unequal;
       return;
     }
-    if (a.nonzero < least_contributions || b.nonzero < least_contributions) {
+    if (std::min(a.contributions(), b.contributions()) < least_contributions) {
       ++result_.untestable;
       return;
     }

@@ -24,10 +24,15 @@ struct ZTestResult {
 };
 
 /// z = |a - b| / sqrt(var_a + var_b) per cell and channel against the normal quantile of the two-sided
-/// significance, with Sidak's correction over cells times channels. A cell is a pixel, merged up to 16x16
-/// until both images hold at least 30 samples there that are not zero; where both variances are 0, the values
-/// must be equal. Both images need the variance channels of
-/// --aov variance and the same size.
+/// significance, with Sidak's correction over cells times channels. Where both variances are 0, the values
+/// must be equal. Both images need the variance channels of --aov variance and the same size.
+///
+/// A cell is a pixel, merged up to 16x16 until both images hold at least 30 contributions there, so that the
+/// normal distribution applies. Contributions are counted as L. Kish's effective number (sum x)^2 / sum x^2:
+/// a thousand samples of which one outweighs all others are one contribution. And since a cell may have been
+/// spared the rare bright sample that its neighbours show, cells are divided from above, only as long as the
+/// larger cell's number leaves 30 for each part, and a part's variance counts at least as its share of
+/// the larger cell's.
 [[nodiscard]] ZTestResult z_test(const Image& a, const Image& b, double significance);
 
 /// z with P(|N(0, 1)| > z) = p.

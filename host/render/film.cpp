@@ -14,6 +14,13 @@ std::array<double, 3> values_of(const shared::FilmRecord& r) {
           static_cast<double>(r.hi_b) + r.lo_b};
 }
 
+/// Sums of squares of the values themselves.
+std::array<double, 3> squares_of(const FilmData& film, std::size_t i) {
+  std::array<double, 3> squares = values_of(film.squares[i]);
+  for (double& s : squares) s /= static_cast<double>(film.square_scale) * film.square_scale;
+  return squares;
+}
+
 /// Variance of a mean of n samples from the sums of values and of squares.
 double variance_of_mean(double sum, double squares, double n) {
   if (n < 2) return 0;
@@ -39,7 +46,7 @@ Image develop(const FilmData& film, const Crop& crop, int full_width, int full_h
       for (int c = 0; c < 3; ++c)
         image.at(x, y, c) = static_cast<float>(n > 0 ? sum[static_cast<std::size_t>(c)] / n : 0.0);
       if (!with_variance) continue;
-      const std::array<double, 3> squares = values_of(film.squares[i]);
+      const std::array<double, 3> squares = squares_of(film, i);
       for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
         image.at(x, y, 3 + c) = static_cast<float>(variance_of_mean(sum[k], squares[k], n));
@@ -63,7 +70,7 @@ double estimate_relmse(const FilmData& film) {
   double total = 0;
   for (std::size_t i = 0; i < film.sums.size(); ++i) {
     const auto sum = values_of(film.sums[i]);
-    const auto squares = values_of(film.squares[i]);
+    const auto squares = squares_of(film, i);
     const double n = film.sums[i].samples;
     for (std::size_t c = 0; c < 3; ++c) {
       const double variance = variance_of_mean(sum[c], squares[c], n);

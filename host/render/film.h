@@ -11,7 +11,8 @@ namespace facet {
 /// Sums of a crop's pixels, row by row.
 struct FilmData {
   std::vector<shared::FilmRecord> sums;
-  std::vector<shared::FilmRecord> squares;  ///< empty unless the variance is kept
+  std::vector<shared::FilmRecord> squares;  ///< of scaled values; empty unless the variance is kept
+  float square_scale = 1;                   ///< what values were multiplied by before they were squared
 };
 
 /// Channels R, G, B: the mean over samples. With squares also variance.R, variance.G, variance.B (of the

@@ -50,6 +50,7 @@ class Packer {
     for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));
     for (const Mesh& mesh : scene_.meshes) packed_.meshes.push_back({mesh.bsdf, mesh.emitter, 0, 0});
     pack_emitters();
+    choose_square_scale();
     packed_.filter = make_filter_table(scene_.camera.filter);
     pack_camera();
     return std::move(packed_);
@@ -152,6 +153,19 @@ class Packer {
     }
     packed_.frame.emitter_count = static_cast<std::uint32_t>(packed_.emitters.size());
     packed_.frame.environment_emitter = scene_.environment();
+  }
+
+  /// Brings the brightest emitter near 1, so that squares of radiances neither over- nor underflow.
+  void choose_square_scale() {
+    float brightest = 0;
+    for (const shared::EmitterRecord& e : packed_.emitters) {
+      brightest = std::max({brightest, e.radiance.r, e.radiance.g, e.radiance.b});
+    }
+    for (const glm::vec4& texel : packed_.environment.texels) {
+      brightest = std::max({brightest, texel.r, texel.g, texel.b});
+    }
+    packed_.frame.square_scale =
+        brightest > 0 ? std::ldexp(1.0F, -std::clamp(std::ilogb(brightest), -100, 100)) : 1.0F;
   }
 
   void pack_camera() {

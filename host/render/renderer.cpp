@@ -43,7 +43,7 @@ struct Renderer::Wave {
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
                    const RenderSettings& settings)
-    : device_(device), settings_(settings), features_(features) {
+    : device_(device), settings_(settings), features_(features), square_scale_(packed.frame.square_scale) {
   const auto start = std::chrono::steady_clock::now();
   resources_ = std::make_unique<Resources>(device, packed, features, settings);
   warm_up();
@@ -144,7 +144,11 @@ void Renderer::render(const ProgressCallback& progress) {
   }
 }
 
-FilmData Renderer::film() const { return resources_->read_film(); }
+FilmData Renderer::film() const {
+  FilmData film = resources_->read_film();
+  film.square_scale = square_scale_;
+  return film;
+}
 
 std::vector<shared::RayRecord> Renderer::camera_rays() {
   Resources& r = *resources_;

@@ -56,6 +56,7 @@ class Renderer {
   gpu::Device& device_;
   RenderSettings settings_;
   Features features_;
+  float square_scale_;
   RenderStatistics statistics_;
   std::unique_ptr<Resources> resources_;
 };

@@ -5,7 +5,8 @@
 
 namespace facet::generate {
 
-void replace_file(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write) {
+void replace_file(const std::filesystem::path& file,
+                  const std::function<void(const std::filesystem::path&)>& write) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   std::filesystem::path temporary = file;
   temporary += ".part";

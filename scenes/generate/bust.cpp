@@ -21,11 +21,12 @@ double bust_distance(const Hair& hair, Vec3 p) {
 
 /// Fine where the face and the beard are, coarse on the breast and the back.
 Grid sculpture_grid() {
-  constexpr double coarse = 0.040;
-  constexpr double fine = 0.0175;
+  constexpr double coarse = 0.042;
+  constexpr double fine = 0.0182;
   const auto between = [](double t) { return coarse + (fine - coarse) * t; };
   Grid grid;
-  grid.x = make_stations(-1.5, 1.5, [&](double x) { return between(1.0 - smooth_step(0.55, 1.0, std::abs(x))); });
+  grid.x =
+      make_stations(-1.5, 1.5, [&](double x) { return between(1.0 - smooth_step(0.55, 1.0, std::abs(x))); });
   grid.y = make_stations(socle_bottom - 0.08, 1.95, [&](double y) {
     return between(smooth_step(-1.7, -1.2, y) * (1.0 - 0.7 * smooth_step(0.8, 1.0, y)));
   });

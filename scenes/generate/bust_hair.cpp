@@ -37,9 +37,11 @@ double side_locks(Vec3 p) {
   const Vec3 m{std::abs(p.x), p.y, p.z};
   const double sway = p.x > 0 ? 0.03 : -0.02;
   double d = lock_distance(m, {{{0.66, 0.45, 0.18}, {0.74 + sway, 0.05, 0.16}, {0.66, -0.40, 0.10}}}, 0.15);
-  d = join(d, lock_distance(m, {{{0.68, 0.1, -0.05}, {0.72, -0.5, -0.05}, {0.60 + sway, -1.15, 0.12}}}, 0.16), 0.04);
+  d = join(d, lock_distance(m, {{{0.68, 0.1, -0.05}, {0.72, -0.5, -0.05}, {0.60 + sway, -1.15, 0.12}}}, 0.16),
+           0.04);
   d = join(d, lock_distance(m, {{{0.50, 0.0, -0.45}, {0.52, -0.6, -0.42}, {0.48, -1.2, -0.40}}}, 0.22), 0.06);
-  return join(d, lock_distance(m, {{{0.12, 0.0, -0.65}, {0.16, -0.6, -0.60}, {0.15, -1.2, -0.55}}}, 0.26), 0.06);
+  return join(d, lock_distance(m, {{{0.12, 0.0, -0.65}, {0.16, -0.6, -0.60}, {0.15, -1.2, -0.55}}}, 0.26),
+              0.06);
 }
 
 double moustache(Vec3 m) {
@@ -52,8 +54,10 @@ double beard_strands(Vec3 p) {
   d = join(d, tapered_capsule(m, {0.50, -0.05, 0.22}, {0.38, -0.60, 0.38}, 0.10, 0.17), 0.10);
   // The two points of the beard, not quite alike.
   const double tip = p.x > 0 ? -1.34 : -1.30;
-  const double inner = lock_distance(m, {{{0.14, -0.72, 0.66}, {0.17, -1.02, 0.60}, {0.10, tip, 0.50}}}, 0.135);
-  const double outer = lock_distance(m, {{{0.31, -0.62, 0.53}, {0.37, -0.92, 0.48}, {0.26, -1.22, 0.42}}}, 0.135);
+  const double inner =
+      lock_distance(m, {{{0.14, -0.72, 0.66}, {0.17, -1.02, 0.60}, {0.10, tip, 0.50}}}, 0.135);
+  const double outer =
+      lock_distance(m, {{{0.31, -0.62, 0.53}, {0.37, -0.92, 0.48}, {0.26, -1.22, 0.42}}}, 0.135);
   d = join(d, join(inner, outer, 0.03), 0.04);
   return join(d, moustache(m), 0.02);
 }

@@ -26,7 +26,8 @@ Curls::Curls(std::vector<Curl> curls) {
     const Vec3 tangent = normalize(cross(helper, curl.outward));
     const double first = (curl.centre.y - reach * curl.radius - lowest_) / slab_height;
     const double last = (curl.centre.y + reach * curl.radius - lowest_) / slab_height;
-    for (auto slab = static_cast<std::size_t>(std::max(first, 0.0)); slab <= static_cast<std::size_t>(last); ++slab) {
+    for (auto slab = static_cast<std::size_t>(std::max(first, 0.0)); slab <= static_cast<std::size_t>(last);
+         ++slab) {
       slabs_[slab].push_back(curls_.size());
     }
     curls_.push_back({curl, tangent, cross(curl.outward, tangent)});
@@ -54,7 +55,8 @@ double Curls::distance_to(const Placed& placed, Vec3 offset) {
   const double across = std::hypot(s, t);
   const double knob = std::sqrt(across * across + 1.5 * height * height) - curl.radius;
   // One and a half turns from rim to centre; the groove fades at the centre, where the angle is undefined.
-  const double angle = curl.handed * std::atan2(t, s) + curl.turn + 3.0 * std::numbers::pi * across / curl.radius;
+  const double angle =
+      curl.handed * std::atan2(t, s) + curl.turn + 3.0 * std::numbers::pi * across / curl.radius;
   const double groove = 0.5 + 0.5 * std::cos(angle);
   return knob + 0.3 * curl.radius * groove * groove * smooth_step(0.05, 0.35, across / curl.radius);
 }

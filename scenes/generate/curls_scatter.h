@@ -9,7 +9,8 @@
 namespace facet::generate {
 
 template <typename Keep>
-std::vector<Curls::Curl> scatter_curls(Vec3 centre, Vec3 axes, std::size_t count, double radius, const Keep& keep) {
+std::vector<Curls::Curl> scatter_curls(Vec3 centre, Vec3 axes, std::size_t count, double radius,
+                                       const Keep& keep) {
   constexpr double golden_angle = 2.399963229728653;
   std::vector<Curls::Curl> curls;
   for (std::uint32_t i = 0; i < count; ++i) {

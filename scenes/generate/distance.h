@@ -6,7 +6,8 @@
 /// After the collection of Inigo Quilez, "Distance functions" (iquilezles.org).
 namespace facet::generate {
 
-/// Distance to an axis-aligned ellipsoid of the given half axes: exact on the surface and to first order near it.
+/// Distance to an axis-aligned ellipsoid of the given half axes: exact on the surface and to first order near
+/// it.
 inline double ellipsoid(Vec3 p, Vec3 centre, Vec3 axes) {
   const Vec3 q = p - centre;
   const Vec3 once{q.x / axes.x, q.y / axes.y, q.z / axes.z};

@@ -79,7 +79,8 @@ Mesh make_sphere(std::uint32_t columns, std::uint32_t rows) {
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t i = 0; i < columns; ++i) {
       if (row > 0) mesh.triangles.push_back({corner(i, row), corner(i + 1, row), corner(i + 1, row + 1)});
-      if (row + 1 < rows) mesh.triangles.push_back({corner(i, row), corner(i + 1, row + 1), corner(i, row + 1)});
+      if (row + 1 < rows)
+        mesh.triangles.push_back({corner(i, row), corner(i + 1, row + 1), corner(i, row + 1)});
     }
   }
   return mesh;

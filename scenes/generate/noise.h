@@ -17,15 +17,19 @@ inline double random_number(std::uint32_t index, std::uint32_t stream) {
 /// Smooth value noise in [-1, 1] with features of about unit size.
 inline double value_noise(Vec3 p) {
   const Vec3 cell{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
-  const Vec3 t{smooth_step(0, 1, p.x - cell.x), smooth_step(0, 1, p.y - cell.y), smooth_step(0, 1, p.z - cell.z)};
+  const Vec3 t{smooth_step(0, 1, p.x - cell.x), smooth_step(0, 1, p.y - cell.y),
+               smooth_step(0, 1, p.z - cell.z)};
   const auto corner = [&cell](int i, int j, int k) {
-    const auto at = [](double c, int offset) { return static_cast<std::uint32_t>(static_cast<int>(c) + offset); };
+    const auto at = [](double c, int offset) {
+      return static_cast<std::uint32_t>(static_cast<int>(c) + offset);
+    };
     return random_number(at(cell.x, i) + 1013u * at(cell.y, j), at(cell.z, k));
   };
   const auto mix = [](double a, double b, double s) { return a + (b - a) * s; };
   double value[2] = {};
   for (int k = 0; k < 2; ++k) {
-    value[k] = mix(mix(corner(0, 0, k), corner(1, 0, k), t.x), mix(corner(0, 1, k), corner(1, 1, k), t.x), t.y);
+    value[k] =
+        mix(mix(corner(0, 0, k), corner(1, 0, k), t.x), mix(corner(0, 1, k), corner(1, 1, k), t.x), t.y);
   }
   return 2.0 * mix(value[0], value[1], t.z) - 1.0;
 }

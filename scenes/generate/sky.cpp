@@ -22,8 +22,8 @@ constexpr double sun_azimuth = 50.0 * pi / 180.0;
 /// Twice the real sun's, so that the disc is some twenty texels.
 constexpr double sun_radius = 1.0 * pi / 180.0;
 
-constexpr double sky_irradiance = 1.1;  ///< Of the horizontal ground, by the sky alone, in luminance.
-constexpr double sun_irradiance = 2.2;  ///< Of a surface that faces the sun.
+constexpr double sky_irradiance = 1.7;  ///< Of the horizontal ground, by the sky alone, in luminance.
+constexpr double sun_irradiance = 3.0;  ///< Of a surface that faces the sun.
 constexpr Vec3 sun_colour{1.08, 0.99, 0.84};
 constexpr Vec3 ground_albedo{0.20, 0.18, 0.15};
 
@@ -96,7 +96,8 @@ Vec3 sky_radiance(const DaylightModel& model, Vec3 direction) {
   // The model has a pole at the horizon; a little above it is what the eye sees there anyway.
   const double cos_theta = std::max(direction.y, 0.02);
   const double gamma = std::acos(std::clamp(dot(direction, sun_direction()), -1.0, 1.0));
-  return rgb_from_xyy(model.x.at(cos_theta, gamma), model.y.at(cos_theta, gamma), model.luminance.at(cos_theta, gamma));
+  return rgb_from_xyy(model.x.at(cos_theta, gamma), model.y.at(cos_theta, gamma),
+                      model.luminance.at(cos_theta, gamma));
 }
 
 /// The direction at a position inside the image, in texels from its corner.
@@ -122,7 +123,9 @@ double sun_coverage(int column, int row) {
 
 struct SkyImage {
   std::vector<Vec3> texels = std::vector<Vec3>(static_cast<std::size_t>(width) * height);
-  Vec3& at(int column, int row) { return texels[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)]; }
+  Vec3& at(int column, int row) {
+    return texels[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
+  }
 };
 
 /// Fills the upper half with sky of the wanted irradiance; returns that irradiance as a colour.
@@ -146,7 +149,8 @@ Vec3 paint_sky(SkyImage& image) {
 void paint_ground(SkyImage& image, Vec3 sky) {
   const double sun = sun_irradiance * std::sin(sun_elevation);
   const Vec3 total{sky.x + sun * sun_colour.x, sky.y + sun * sun_colour.y, sky.z + sun * sun_colour.z};
-  const Vec3 reflected{total.x * ground_albedo.x / pi, total.y * ground_albedo.y / pi, total.z * ground_albedo.z / pi};
+  const Vec3 reflected{total.x * ground_albedo.x / pi, total.y * ground_albedo.y / pi,
+                       total.z * ground_albedo.z / pi};
   for (int row = 0; row < height / 2; ++row) {
     for (int column = 0; column < width; ++column) image.at(column, row) = reflected;
   }

@@ -26,8 +26,12 @@ class SurfaceNets {
   }
 
  private:
-  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const { return (k * size_[1] + j) * size_[0] + i; }
-  Vec3 node(std::size_t i, std::size_t j, std::size_t k) const { return {grid_.x[i], grid_.y[j], grid_.z[k]}; }
+  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
+    return (k * size_[1] + j) * size_[0] + i;
+  }
+  Vec3 node(std::size_t i, std::size_t j, std::size_t k) const {
+    return {grid_.x[i], grid_.y[j], grid_.z[k]};
+  }
 
   template <typename Visit>
   void for_each_cell(const Visit& visit) const {
@@ -53,12 +57,14 @@ class SurfaceNets {
     const std::size_t k1 = std::min(k0 + block_size, size_[2]);
     // One cell of overlap to each side, so that an edge into the neighbouring block counts as well.
     const Vec3 low = node(i0 > 0 ? i0 - 1 : 0, j0 > 0 ? j0 - 1 : 0, k0 > 0 ? k0 - 1 : 0);
-    const Vec3 high = node(std::min(i1, size_[0] - 1), std::min(j1, size_[1] - 1), std::min(k1, size_[2] - 1));
+    const Vec3 high =
+        node(std::min(i1, size_[0] - 1), std::min(j1, size_[1] - 1), std::min(k1, size_[2] - 1));
     const double centre_value = field_((low + high) * 0.5);
     const bool far = std::abs(centre_value) > 1.5 * 0.5 * length(high - low);
     for (std::size_t k = k0; k < k1; ++k) {
       for (std::size_t j = j0; j < j1; ++j) {
-        for (std::size_t i = i0; i < i1; ++i) values_[index(i, j, k)] = far ? centre_value : field_(node(i, j, k));
+        for (std::size_t i = i0; i < i1; ++i)
+          values_[index(i, j, k)] = far ? centre_value : field_(node(i, j, k));
       }
     }
   }
@@ -96,7 +102,8 @@ class SurfaceNets {
     add_vertex(sum * (1.0 / crossings), length(node(i + 1, j + 1, k + 1) - node(i, j, k)));
   }
 
-  /// Two Newton steps towards the surface, none longer than a fraction of the cell: no vertex may change sides with another.
+  /// Two Newton steps towards the surface, none longer than a fraction of the cell: no vertex may change
+  /// sides with another.
   void add_vertex(Vec3 p, double cell_diagonal) {
     const double step = 0.12 * cell_diagonal;
     for (int iteration = 0; iteration < 2; ++iteration) {
@@ -126,9 +133,12 @@ class SurfaceNets {
         at[v] -= dv;
         return vertices_[index(at[0], at[1], at[2])];
       };
-      const std::array<std::uint32_t, 4> quad{vertex_at(1, 1), vertex_at(0, 1), vertex_at(0, 0), vertex_at(1, 0)};
-      if (inside_start) add_quad(quad[0], quad[1], quad[2], quad[3]);
-      else add_quad(quad[3], quad[2], quad[1], quad[0]);
+      const std::array<std::uint32_t, 4> quad{vertex_at(1, 1), vertex_at(0, 1), vertex_at(0, 0),
+                                              vertex_at(1, 0)};
+      if (inside_start)
+        add_quad(quad[0], quad[1], quad[2], quad[3]);
+      else
+        add_quad(quad[3], quad[2], quad[1], quad[0]);
     }
   }
 

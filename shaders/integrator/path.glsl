@@ -83,13 +83,9 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   vec3 d = ray.direction.xyz;
   Surface s = surface_at(missed ? 0u : hit.triangle, hit.b1, hit.b2);
   FoundEmission found = emission_of_surface(s, d, hit.t);
-  if (HAS_EMITTER(environment)) {
-    FoundEmission sky = emission_of_environment(d);
-    found.radiance = missed ? sky.radiance : found.radiance;
-    found.pdf = missed ? sky.pdf : found.pdf;
-  } else {
-    found.radiance = missed ? vec3(0.0) : found.radiance;
-  }
+  FoundEmission sky = HAS_EMITTER(environment) ? emission_of_environment(d) : FoundEmission(vec3(0.0), 0.0);
+  found.radiance = missed ? sky.radiance : found.radiance;
+  found.pdf = missed ? sky.pdf : found.pdf;
   step.path.radiance.rgb += path.throughput.rgb * weighted_emission(found, path.throughput.w, bounce);
 
   uint k = bounce + 1u;

@@ -24,7 +24,7 @@ void main() {
     vec2 offset = filter_offset(slot_sample(slot));
     vec3 value = radiance * (filter_weight(offset.x) * filter_weight(offset.y));
     if (good) add_sample(sums, value);
-    if (VARIANCE && good) add_sample(squares, value * value);
+    if (VARIANCE && good) add_square(squares, value * frame.square_scale);
     bad += good ? 0u : 1u;
     ++k;
   }

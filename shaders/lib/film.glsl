@@ -25,6 +25,28 @@ void add_compensated(inout vec3 hi, inout vec3 lo, vec3 x) {
   lo = lo - (hi - sum);
 }
 
+/// x^2 = square + rest, exactly while neither over- nor underflows (T. J. Dekker 1971). Without the rest a variance far below
+/// the squared mean would drown in rounding.
+void square_exactly(vec3 x, out vec3 square, out vec3 rest) {
+  square = x * x;
+  vec3 c = 4097.0 * x;
+  vec3 high = c - (c - x);
+  vec3 low = x - high;
+  rest = ((high * high - square) + 2.0 * (high * low)) + low * low;
+}
+
+/// Adds the square of a scaled value to sums of squares.
+void add_square(inout FilmRecord pixel, vec3 scaled) {
+  vec3 hi = vec3(pixel.hi_r, pixel.hi_g, pixel.hi_b);
+  vec3 lo = vec3(pixel.lo_r, pixel.lo_g, pixel.lo_b);
+  vec3 square;
+  vec3 rest;
+  square_exactly(scaled, square, rest);
+  add_compensated(hi, lo, square);
+  lo += rest;
+  pixel = FilmRecord(hi.r, hi.g, hi.b, pixel.samples + 1u, lo.r, lo.g, lo.b, pixel.nonzero);
+}
+
 /// One sample more.
 void add_sample(inout FilmRecord pixel, vec3 value) {
   vec3 hi = vec3(pixel.hi_r, pixel.hi_g, pixel.hi_b);

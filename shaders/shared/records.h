@@ -98,7 +98,7 @@ struct FrameRecord {
   uint filter_intervals;
   float filter_crossing;  // |offset| beyond which the filter is negative, pixels
   float filter_scale;     // integral of |f| over integral of f, along one axis
-  uint unused0;
+  float square_scale;     // power of two that values are multiplied by before they are squared: squares stay in range
 };
 
 struct RayRecord {

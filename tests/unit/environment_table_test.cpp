@@ -63,14 +63,16 @@ TEST(EnvironmentTableTest, RowsReachFromDownToUp) {
       const double expected = -std::cos(std::numbers::pi * static_cast<double>(i) / height);
       EXPECT_NEAR(table.rows[i].y_begin, expected, 1e-7) << i;
       EXPECT_LT(table.rows[i].y_begin, table.rows[i].y_end) << i;
-      if (i > 0) EXPECT_EQ(table.rows[i].y_begin, table.rows[i - 1].y_end) << i;
+      if (i > 0) {
+        EXPECT_EQ(table.rows[i].y_begin, table.rows[i - 1].y_end) << i;
+      }
     }
   }
 }
 
 TEST(EnvironmentTableTest, DensityIntegratesToOne) {
-  for (const auto& e :
-       {make_noise(1, 1), make_noise(16, 8), make_noise(7, 13), make_noise(1, 9), make_noise(9, 1)}) {
+  for (const auto& e : {make_environment(1, 1, Color(3)), make_noise(16, 8), make_noise(7, 13),
+                        make_noise(1, 9), make_noise(9, 1)}) {
     const EnvironmentTable table = make_environment_table(e);
     double integral = 0;
     for (int y = 0; y < e.height; ++y) {
@@ -111,8 +113,9 @@ TEST(EnvironmentTableTest, DensityIsPositiveWhereverTheMapIs) {
     const EnvironmentTable table = make_environment_table(e);
     for (int j = 0; j < 8 * e.height; ++j) {
       for (int i = 0; i < 8 * e.width; ++i) {
-        if (bilinear(e, (i + 0.5) / 8, (j + 0.5) / 8) > 0)
+        if (bilinear(e, (i + 0.5) / 8, (j + 0.5) / 8) > 0) {
           EXPECT_GT(density(table, e, i / 8, j / 8), 0) << i << " " << j;
+        }
       }
     }
     EXPECT_EQ(density(table, e, (bright + 4) % 8, bright / 8), 0)

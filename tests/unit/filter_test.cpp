@@ -134,15 +134,17 @@ TEST(FilterTableTest, CrossingSeparatesTheSigns) {
     const double radius = filter_radius(filter);
     for (double x = 0; x < radius; x += radius / 1000) {
       const double value = filter_value(filter, x);
-      if (x < crossing - 1e-6 * radius) EXPECT_GE(value, -1e-15) << x;
-      if (x > crossing + 1e-6 * radius) EXPECT_LE(value, 1e-15) << x;
+      if (x < crossing - 1e-6 * radius) {
+        EXPECT_GE(value, -1e-15) << x;
+      }
+      if (x > crossing + 1e-6 * radius) {
+        EXPECT_LE(value, 1e-15) << x;
+      }
     }
   }
 }
 
 TEST(FilterTableTest, FiltersWithoutPositiveIntegralAreErrors) {
-  EXPECT_THROW((void)make_filter_table(MitchellFilter{2, 0, 100}), InputError)
-      << "integral not 0 but cubic in C";
   EXPECT_THROW((void)make_filter_table(GaussianFilter{2, 1e-300}), InputError);
 }
 

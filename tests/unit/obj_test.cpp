@@ -152,6 +152,7 @@ TEST_F(ObjTest, CoordinatesMustBeFiniteNumbers) {
   expect_error("v 0 0 -\n", 1, {"-", "not a finite number"});
   expect_error("v 0 0 1.2.3\n", 1, {"1.2.3", "not a finite number"});
   expect_error("v 0 0 1e\n", 1, {"1e", "not a finite number"});
+  expect_error("v 0,5 0 0\n", 1, {"0,5", "not a finite number"});
   expect_error(square + "vt 1e999 0\n", 5, {"1e999"});
 }
 
@@ -175,6 +176,7 @@ TEST_F(ObjTest, IndicesOutOfRangeNameTheLine) {
   expect_error(square + "f 1 2 99999999999\n", 5, {});
   expect_error(square + "f 1 2 4294967297\n", 5, {});
   expect_error(square + "f\t1 2 5\n", 5, {});
+  expect_error("v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", 5, {});
 }
 
 TEST_F(ObjTest, OutOfRangeNormalsAndTextureCoordinatesNameTheLine) {

@@ -190,7 +190,7 @@ TEST_F(SceneErrorsTest, TheSceneFileItself) {
   expect_unreadable(folder_.file("none.xml"));
   expect_unreadable(folder_.path());
   expect_error("", 1, {"not well-formed XML"});
-  expect_error("v 0 0 0\n", 1, {"not well-formed XML"});
+  expect_error("v 0 0 0", 1, {"not well-formed XML"});
   expect_error("\n<mesh type=\"obj\"/>", 2, {"<mesh>", "<scene> expected"});
 }
 

@@ -76,7 +76,7 @@ const std::map<std::string, Offsets>& expected_offsets() {
         FACET_OFFSET(FrameRecord, emitter_count), FACET_OFFSET(FrameRecord, environment_emitter),
         FACET_OFFSET(FrameRecord, environment_width), FACET_OFFSET(FrameRecord, environment_height),
         FACET_OFFSET(FrameRecord, filter_intervals), FACET_OFFSET(FrameRecord, filter_crossing),
-        FACET_OFFSET(FrameRecord, filter_scale)}},
+        FACET_OFFSET(FrameRecord, filter_scale), FACET_OFFSET(FrameRecord, square_scale)}},
       {"RayRecord", {FACET_OFFSET(RayRecord, origin), FACET_OFFSET(RayRecord, direction)}},
       {"HitRecord",
        {FACET_OFFSET(HitRecord, t), FACET_OFFSET(HitRecord, triangle), FACET_OFFSET(HitRecord, b1),

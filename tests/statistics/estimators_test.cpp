@@ -1,0 +1,105 @@
+// Estimators of the same light agree, cell by cell.
+#include "image/z_test.h"
+#include "support/render.h"
+#include "support/scenes.h"
+
+namespace facet::test {
+namespace {
+
+/// Each comparison corrects for its cells; this is shared among the comparisons of this file.
+constexpr double significance = 0.01 / 32;
+
+/// Shrinks the image, keeping its shape.
+void shrink(Scene& scene, int width) {
+  scene.camera.height = std::max(1, scene.camera.height * width / scene.camera.width);
+  scene.camera.width = width;
+}
+
+Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, int spp, LobeSampling sampling = LobeSampling::visible) {
+  set_integrator(scene, integrator);
+  scene.seed = seed;
+  RenderSettings settings = whole_image(scene, spp);
+  settings.sampling = sampling;
+  return render(scene, settings).image;
+}
+
+void expect_agreement(const Image& a, const Image& b, const std::string& what) {
+  const ZTestResult result = z_test(a, b, significance);
+  EXPECT_TRUE(result.passed()) << what << ": " << result.describe();
+}
+
+/// Samples with which every cell holds enough contributions of the rarest kind.
+int samples_for(const std::string& scene) { return scene.starts_with("veach") ? 4096 : 1024; }
+
+class Estimators : public testing::TestWithParam<const char*> {};
+
+TEST_P(Estimators, of_direct_light_agree) {
+  Scene scene = load_scene(GetParam());
+  shrink(scene, 48);
+  const int spp = samples_for(GetParam());
+  const Image ems = estimate(scene, "direct_ems", 1, spp);
+  const Image mats = estimate(scene, "direct_mats", 2, spp);
+  const Image mis = estimate(scene, "direct_mis", 3, spp);
+  expect_agreement(ems, mats, "ems, mats");
+  expect_agreement(ems, mis, "ems, mis");
+  expect_agreement(mats, mis, "mats, mis");
+}
+
+TEST_P(Estimators, of_all_light_agree) {
+  Scene scene = load_scene(GetParam());
+  scene.integrator.max_depth = -1;
+  shrink(scene, 32);
+  const Image ems = estimate(scene, "path_ems", 1, 1024);
+  const Image mats = estimate(scene, "path_mats", 2, 1024);
+  const Image mis = estimate(scene, "path_mis", 3, 1024);
+  expect_agreement(ems, mats, "ems, mats");
+  expect_agreement(ems, mis, "ems, mis");
+  expect_agreement(mats, mis, "mats, mis");
+}
+
+TEST_P(Estimators, agree_under_both_lobe_samplings) {
+  Scene scene = load_scene(GetParam());
+  shrink(scene, 48);
+  const Image visible = estimate(scene, "direct_mis", 4, 1024);
+  const Image ndf = estimate(scene, "direct_mis", 5, 1024, LobeSampling::ndf);
+  expect_agreement(visible, ndf, "visible, ndf");
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, Estimators,
+                         testing::Values("cbox/cbox_conductors_mis.xml", "cbox/cbox_substrate_mis.xml", "veach_mi/veach_mi_mis.xml",
+                                         "serapis/serapis_rough_mis.xml", "serapis/serapis_smooth_mis.xml"));
+
+TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
+  Scene scene = load_scene("veach_mi/veach_mi_mis.xml");
+  shrink(scene, 48);
+  const Image usual = estimate(scene, "direct_mis", 1, 1024);
+  scene.emitter_selection = EmitterSelection::uniform;
+  expect_agreement(usual, estimate(scene, "direct_mis", 2, 1024), "power, uniform selection");
+  scene.integrator.heuristic = Heuristic::power;
+  expect_agreement(usual, estimate(scene, "direct_mis", 3, 1024), "balance, power heuristic");
+}
+
+TEST(EstimatorChoices, area_emitter_and_environment_together) {
+  Scene scene = make_scene("direct_ems");
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}), bsdf::RoughSubstrate{Color(0.4F), 0.2F});
+  add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{}, Color(3, 2, 1));
+  EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
+  sky.texels[8 * 2 + 3] = Color(9, 8, 7);
+  scene.emitters.emplace_back(sky);
+  set_camera(scene, 24, 40, {-2, 2, -2}, {0, 0, 0});
+  const Image ems = estimate(scene, "direct_ems", 1, 2048);
+  expect_agreement(ems, estimate(scene, "direct_mats", 2, 2048), "ems, mats");
+  expect_agreement(ems, estimate(scene, "direct_mis", 3, 2048), "ems, mis");
+}
+
+/// The test itself: it must see a difference of a few standard errors in one image.
+TEST(EstimatorChoices, z_test_sees_a_dimmer_light) {
+  Scene scene = load_scene("cbox/cbox_conductors_mis.xml");
+  shrink(scene, 48);
+  const Image usual = estimate(scene, "direct_mis", 1, 1024);
+  for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance *= 0.95F;
+  EXPECT_FALSE(z_test(usual, estimate(scene, "direct_mis", 2, 1024), significance).passed());
+}
+
+}  // namespace
+}  // namespace facet::test
