@@ -6,9 +6,8 @@
 # folder: images are written to the folder it is called from. A second run takes seconds.
 set -eu
 
-common_packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools libglm-dev libtinyobjloader-dev
-  libopenexr-dev libpng-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
-test_packages="libgtest-dev vulkan-validationlayers"
+packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools libglm-dev libtinyobjloader-dev
+  libopenexr-dev libpng-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
 
 say() { echo "bootstrap: $*" >&2; }
 fail() {
@@ -79,14 +78,14 @@ shift
 case $command in
   render)
     # shellcheck disable=SC2086
-    install_packages $common_packages $test_packages
+    install_packages $packages
     build facet facet_scenes
     if [ $# -eq 0 ]; then set -- "$root/scenes/cbox/cbox_conductors_mis.xml"; fi
     exec "$root/build/release/host/facet" render "$@"
     ;;
   test)
     # shellcheck disable=SC2086
-    install_packages $common_packages $test_packages
+    install_packages $packages
     build all
     cd "$root/build/release"
     exec ctest --output-on-failure "$@"
