@@ -29,14 +29,22 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   const std::string first = argc > 1 ? argv[1] : "";
-  if (first.empty() || first.starts_with('-') ||
-      std::find(known.begin(), known.end(), first) != known.end()) {
-    return fmt::format("{}; \"facet --help\" lists what there is", error.what());
+  if (first.starts_with('-'))
+    return fmt::format("unknown option \"{}\"; \"facet --help\" lists what there is", first);
+  if (first.empty() || std::find(known.begin(), known.end(), first) != known.end()) {
+    return fmt::format("{}; \"facet {}--help\" lists what there is", error.what(),
+                       first.empty() ? "" : first + " ");
   }
   if (std::find(planned_commands.begin(), planned_commands.end(), first) != planned_commands.end()) {
     return fmt::format("the command \"{}\" is not supported yet", first);
   }
   return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
+}
+
+/// A full disk behind standard output must not pass for success.
+int with_output_written(int exit_code) {
+  if (std::fflush(stdout) == 0) return exit_code;
+  return fail("cannot write to standard output", ExitCode::bad_input);
 }
 
 int run(int argc, char** argv) {
@@ -50,10 +58,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) return with_output_written(app.exit(error));
     return fail(usage_message(app, error, argc, argv), ExitCode::bad_input);
   }
-  return static_cast<int>(action());
+  return with_output_written(static_cast<int>(action()));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Progress {
   std::function<double()> error_estimate_;
   double error_ = 0;
   double next_error_ = 0.5;  ///< seconds of rendering at which the error is estimated again
-  double next_line_ = 10;    ///< likewise for the next plain line
+  double next_line_ = 2;     ///< likewise for the next plain line
   std::chrono::steady_clock::time_point last_;
 };
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -14,6 +15,7 @@
 #include "cli/render_options.h"
 #include "cli/warnings.h"
 #include "core/text.h"
+#include "image/atomic_file.h"
 #include "image/files.h"
 #include "render/renderer.h"
 #include "scene/reader.h"
@@ -29,8 +31,8 @@ class RenderJob {
   explicit RenderJob(const RenderOptions& options) : options_(options), files_(output_files(options)) {}
 
   ExitCode run() {
-    for (const std::string& file : files_) check_writable(file);
-    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    catch_interrupts();
+    check_outputs();
     load();
     const gpu::Instance instance(options_.validate);
     gpu::Device device(instance, instance.choose(options_.device));
@@ -46,12 +48,25 @@ class RenderJob {
   }
 
  private:
+  void check_outputs() const {
+    std::set<std::string> names;
+    std::vector<std::string> all = files_;
+    if (!options_.json.empty() && options_.json != "-") all.push_back(options_.json);
+    for (const std::string& file : all) {
+      check_writable(file);
+      if (!names.insert(std::filesystem::weakly_canonical(file).string()).second) {
+        throw InputError(fmt::format("{}: is to be written twice", file));
+      }
+    }
+  }
+
   void load() {
     const double start = seconds_since_start();
     Diagnostics diagnostics(options_.strict);
     scene_ = read_scene(options_.scene, diagnostics);
     apply_to_scene(options_, scene_);
     settings_ = make_settings(options_, scene_);
+    check_png_size();
     warn_about_scene(scene_, diagnostics);
     print_warnings(diagnostics);
     // Sums of squares serve the variance channels and the error estimates of the report and the progress bar.
@@ -60,12 +75,23 @@ class RenderJob {
     load_seconds_ = seconds_since_start() - start;
   }
 
+  void check_png_size() const {
+    constexpr int largest_png_side = 1000000;
+    const bool too_large = std::max(settings_.crop.x1 - settings_.crop.x0,
+                                    settings_.crop.y1 - settings_.crop.y0) > largest_png_side;
+    for (const std::string& file : files_) {
+      if (too_large && std::filesystem::path(file).extension() == ".png") {
+        throw InputError(
+            fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file, largest_png_side));
+      }
+    }
+  }
+
   void render(gpu::Device& device, const PackedScene& packed, const Features& features) {
     Renderer renderer(device, packed, features, settings_);
     Progress progress(options_.quiet,
                       settings_.variance ? [&renderer] { return std::sqrt(estimate_relmse(renderer.film())); }
                                          : std::function<double()>{});
-    catch_interrupts();
     renderer.render([&](double done, const RenderStatistics& statistics) {
       progress.update(done, statistics);
       return !was_interrupted();
@@ -151,16 +177,28 @@ class RenderJob {
     };
   }
 
+  /// A path that is no UTF-8 is shown as well as it can be.
+  [[nodiscard]] std::string json_text() const {
+    nlohmann::ordered_json json = make_json();
+    if (options_.pixel) json["pixel"] = {image_.at(0, 0, 0), image_.at(0, 0, 1), image_.at(0, 0, 2)};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+  void write_json() const {
+    AtomicFile file(options_.json);
+    std::ofstream out(file.temporary());
+    out << json_text() << '\n';
+    out.close();
+    if (!out) throw InputError(fmt::format("{}: cannot write", options_.json));
+    file.commit();
+  }
+
   void report() const {
-    if (options_.pixel) {
+    if (options_.json == "-") fmt::print("{}\n", json_text());
+    if (!options_.json.empty() && options_.json != "-") write_json();
+    if (options_.pixel && options_.json != "-") {
       fmt::print("pixel {}: {:.9g} {:.9g} {:.9g}\n", *options_.pixel, image_.at(0, 0, 0), image_.at(0, 0, 1),
                  image_.at(0, 0, 2));
-    }
-    if (options_.json == "-") fmt::print("{}\n", make_json().dump(2));
-    if (!options_.json.empty() && options_.json != "-") {
-      std::ofstream out(options_.json);
-      out << make_json().dump(2) << '\n';
-      if (!out.flush()) throw InputError(fmt::format("{}: cannot write", options_.json));
     }
     if (options_.quiet) return;
     const RenderStatistics& s = statistics_;

@@ -1,6 +1,7 @@
 #include "cli/render_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "core/text.h"
@@ -144,6 +145,8 @@ RenderSettings make_settings(const RenderOptions& o, const Scene& scene) {
 }
 
 std::vector<std::string> output_files(const RenderOptions& o) {
+  if (o.scene.empty()) throw InputError("render: the scene's name is empty");
+  if (!std::isfinite(o.exposure)) throw InputError("--exposure must be a number");
   std::vector<std::string> files = o.outputs;
   if (files.empty() && !o.pixel) {
     const std::string stem = std::filesystem::path(o.scene).stem().string();

@@ -1,5 +1,8 @@
 #include "cli/warnings.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace facet::cli {
 
 namespace {
@@ -22,6 +25,15 @@ bool is_clipped_away(const Scene& scene) {
   return nearest > scene.camera.far_clip || (farthest > 0 && farthest < scene.camera.near_clip);
 }
 
+/// Whether no triangle of the mesh has an area that the renderer can hold.
+bool is_without_area(const Mesh& mesh) {
+  return std::all_of(mesh.position_indices.begin(), mesh.position_indices.end(), [&](const uvec3& i) {
+    const dvec3 e1 = dvec3(mesh.positions[i.y]) - dvec3(mesh.positions[i.x]);
+    const dvec3 e2 = dvec3(mesh.positions[i.z]) - dvec3(mesh.positions[i.x]);
+    return glm::length(glm::cross(e1, e2)) < 2.0 * std::numeric_limits<float>::min();
+  });
+}
+
 }  // namespace
 
 void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
@@ -30,6 +42,14 @@ void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.integrator.needs_emitters() && scene.emitters.empty()) {
     diagnostics.warn(where, fmt::format("the scene has no emitter, which {} needs: the image will be black",
                                         scene.integrator.type.name));
+  }
+  for (const Emitter& emitter : scene.emitters) {
+    const auto* area = std::get_if<AreaEmitter>(&emitter);
+    if (area != nullptr && is_without_area(scene.meshes[area->mesh])) {
+      diagnostics.warn(
+          scene.meshes[area->mesh].where,
+          fmt::format("the emitting mesh {} has no area: it gives no light", scene.meshes[area->mesh].name));
+    }
   }
   if (is_clipped_away(scene)) {
     diagnostics.warn(

@@ -48,6 +48,7 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, 
 }
 
 void Buffer::upload(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
   if (mapped_ != nullptr) {
     std::memcpy(mapped_, bytes.data(), bytes.size());
     return;

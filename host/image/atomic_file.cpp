@@ -11,6 +11,12 @@
 namespace facet {
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
+  // What a link points to is replaced, not the link.
+  std::error_code dangling;
+  if (std::filesystem::is_symlink(target_)) {
+    const auto resolved = std::filesystem::weakly_canonical(target_, dangling);
+    if (!dangling) target_ = resolved;
+  }
   temporary_ = target_;
   temporary_ += fmt::format(".{}.part", ::getpid());
 }

@@ -62,8 +62,8 @@ Image read_exr_file(const std::filesystem::path& path) {
 }  // namespace
 
 Image read_exr(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: no such file", path.string()));
+  if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: no such file", path.string()));
+  if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: not a file", path.string()));
   try {
     return read_exr_file(path);
   } catch (const Error&) {

@@ -27,7 +27,9 @@ double find_crossing(const Filter& filter, double radius) {
 }  // namespace
 
 FilterTable make_filter_table(const Filter& filter) {
-  const double radius = filter_radius(filter);
+  double radius = filter_radius(filter);
+  // A narrow bell within a wide radius would fall between the steps; beyond 12 deviations it has no mass.
+  if (const auto* bell = std::get_if<GaussianFilter>(&filter)) radius = std::min(radius, 12 * bell->stddev);
   const double step = 2 * radius / fine_count;
   const auto offset = [&](double i) { return -radius + i * step; };
   // Borders are nudged inwards, so that a box filter is not 0 there.

@@ -3,6 +3,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/parallel.h"
@@ -63,8 +64,9 @@ class Packer {
       const Mesh& mesh = scene_.meshes[m];
       for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i, ++id) {
         const TriangleCorners corners = corners_of(mesh, i);
-        // A triangle without area cannot be hit, and would only make normals that do not exist.
-        if (!(area_of(corners) > 0)) continue;
+        // A triangle without an area that a float can hold cannot be hit, and would only make normals that do
+        // not exist.
+        if (!(area_of(corners) >= std::numeric_limits<float>::min())) continue;
         sources_.push_back({m, i, id});
         corners_.push_back(corners);
       }

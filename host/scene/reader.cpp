@@ -1,5 +1,7 @@
 #include "scene/reader.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include "core/text.h"
 #include "scene/emitter/readers.h"
 #include "scene/mesh/obj.h"
@@ -62,6 +64,8 @@ class SceneReader {
     }
     c.to_world = p.transform("toWorld");
     if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
+    if (glm::row(c.to_world, 3) != glm::dvec4(0, 0, 0, 1))
+      p.fail("toWorld", "is projective: its last row must be 0 0 0 1");
     c.fov = p.real_above("fov", c.fov, 0);
     if (c.fov >= 180) p.fail("fov", fmt::format("is {:g} degrees, but must be less than 180", c.fov));
     c.near_clip = p.real("nearClip", c.near_clip);
@@ -76,14 +80,14 @@ class SceneReader {
     Filter filter;
     if (p.type() == "gaussian") {
       GaussianFilter f;
-      f.radius = p.real_above("radius", f.radius, 0);
-      f.stddev = p.real_above("stddev", f.stddev, 0);
+      f.radius = p.real_between("radius", f.radius, 0.01, 100);
+      f.stddev = p.real_between("stddev", f.stddev, 0.01, 100);
       filter = f;
     } else if (p.type() == "mitchell") {
       MitchellFilter f;
-      f.radius = p.real_above("radius", f.radius, 0);
-      f.b = p.real("B", f.b);
-      f.c = p.real("C", f.c);
+      f.radius = p.real_between("radius", f.radius, 0.01, 100);
+      f.b = p.real_between("B", f.b, -10, 10);
+      f.c = p.real_between("C", f.c, -10, 10);
       filter = f;
     } else if (p.type() == "tent") {
       filter = TentFilter{};
@@ -156,7 +160,7 @@ class SceneReader {
     FACET_BSDF_LIST(FACET_READ)
 #undef FACET_READ
     if (!bsdf) fail_unknown_type(p, "bsdf");
-    // Nori's files name the textures they replace parameters by; find() has already refused those.
+    // Which textures a parameter takes is its reader's and finish()'s care.
     (void)p.children("texture");
     p.finish(diagnostics_);
     return *bsdf;

@@ -15,7 +15,8 @@ void shrink(Scene& scene, int width) {
   scene.camera.width = width;
 }
 
-Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, int spp, LobeSampling sampling = LobeSampling::visible) {
+Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, int spp,
+               LobeSampling sampling = LobeSampling::visible) {
   set_integrator(scene, integrator);
   scene.seed = seed;
   RenderSettings settings = whole_image(scene, spp);
@@ -66,8 +67,9 @@ TEST_P(Estimators, agree_under_both_lobe_samplings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Estimators,
-                         testing::Values("cbox/cbox_conductors_mis.xml", "cbox/cbox_substrate_mis.xml", "veach_mi/veach_mi_mis.xml",
-                                         "serapis/serapis_rough_mis.xml", "serapis/serapis_smooth_mis.xml"));
+                         testing::Values("cbox/cbox_conductors_mis.xml", "cbox/cbox_substrate_mis.xml",
+                                         "veach_mi/veach_mi_mis.xml", "serapis/serapis_rough_mis.xml",
+                                         "serapis/serapis_smooth_mis.xml"));
 
 TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
   Scene scene = load_scene("veach_mi/veach_mi_mis.xml");
@@ -81,7 +83,8 @@ TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
 
 TEST(EstimatorChoices, area_emitter_and_environment_together) {
   Scene scene = make_scene("direct_ems");
-  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}), bsdf::RoughSubstrate{Color(0.4F), 0.2F});
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
+           bsdf::RoughSubstrate{Color(0.4F), 0.2F});
   add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{}, Color(3, 2, 1));
   EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
   sky.texels[8 * 2 + 3] = Color(9, 8, 7);

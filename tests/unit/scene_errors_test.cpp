@@ -221,8 +221,8 @@ TEST_F(SceneErrorsTest, PropertiesHoldNothing) {
 TEST_F(SceneErrorsTest, FiltersThatCannotWork) {
   const std::string begin = "<scene><camera type=\"perspective\">\n\n<rfilter type=\"gaussian\"><float name=";
   const std::string end = "/></rfilter></camera></scene>";
-  expect_error(begin + "\"radius\" value=\"0\"" + end, 3, {"\"radius\"", "greater than 0"});
-  expect_error(begin + "\"stddev\" value=\"-1\"" + end, 3, {"\"stddev\"", "greater than 0"});
+  expect_error(begin + "\"radius\" value=\"0\"" + end, 3, {"\"radius\"", "but must be"});
+  expect_error(begin + "\"stddev\" value=\"-1\"" + end, 3, {"\"stddev\"", "but must be"});
 }
 
 TEST_F(SceneErrorsTest, RadianceBeyondFloats) {

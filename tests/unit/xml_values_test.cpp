@@ -232,7 +232,7 @@ TEST_F(XmlValuesTest, RangesOfPhysicalProperties) {
   expect_property_error("<color name=\"a\" value=\"-0.1\"/>", reflectance, {"-0.1", "between 0 and 1"});
   expect_property_error("<float name=\"a\" value=\"0\"/>", alpha, {"smooth", "mirror"});
   expect_property_error("<float name=\"a\" value=\"1.5\"/>", alpha, {"1.5", "at most 1"});
-  expect_property_error("<float name=\"a\" value=\"0\"/>", ior, {"greater than 0"});
+  expect_property_error("<float name=\"a\" value=\"0\"/>", ior, {"but must be"});
 }
 
 TEST_F(XmlValuesTest, ChoicesSuggestTheNearestWord) {

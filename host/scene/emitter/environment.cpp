@@ -43,9 +43,12 @@ EnvironmentEmitter read_environment_emitter(PropertyReader& properties) {
   for (int y = 0; y < e.height; ++y) {
     for (int x = 0; x < e.width; ++x) {
       const Color texel = texel_of(image, x, y, channels) * factor;
-      if (!std::isfinite(texel.r + texel.g + texel.b) || texel.r < 0 || texel.g < 0 || texel.b < 0) {
-        properties.fail("filename",
-                        fmt::format("{}: pixel ({}, {}) is negative or not finite", path.string(), x, y));
+      const bool valid = glm::all(glm::greaterThanEqual(texel, Color(0))) &&
+                         glm::all(glm::lessThanEqual(texel, Color(largest_radiance)));
+      if (!valid) {
+        properties.fail(
+            "filename",
+            fmt::format("{}: pixel ({}, {}) is negative, not finite or more than 1e30", path.string(), x, y));
       }
       e.texels.push_back(texel);
     }

@@ -6,9 +6,14 @@
 
 namespace facet {
 
+std::string title_of(const pugi::xml_node& object) {
+  const std::string type = object.attribute("type").value();
+  return type.empty() ? std::string(object.name()) : fmt::format("{} \"{}\"", object.name(), type);
+}
+
 XmlDocument::XmlDocument(std::filesystem::path path) : path_(std::move(path)) {
   std::ifstream in(path_, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path_)) {
+  if (!in || !std::filesystem::is_regular_file(path_)) {
     throw InputError(fmt::format("{}: cannot read the scene file", path_.string()));
   }
   std::ostringstream buffer;
@@ -22,6 +27,21 @@ XmlDocument::XmlDocument(std::filesystem::path path) : path_(std::move(path)) {
     throw InputError({path_.string(), line_at(result.offset)},
                      fmt::format("not well-formed XML: {}", result.description()));
   }
+  for (const pugi::xml_node& child : document_.children()) {
+    if (child.type() == pugi::node_element && child != root()) {
+      throw InputError(location(child), fmt::format("a second root element <{}>", child.name()));
+    }
+  }
+}
+
+void XmlDocument::refuse_stray_content(const pugi::xml_node& parent) const {
+  for (const pugi::xml_node& child : parent.children()) {
+    if (child.type() != pugi::node_pcdata && child.type() != pugi::node_cdata) continue;
+    std::string text = child.value();
+    text.erase(0, text.find_first_not_of(" \t\r\n"));
+    text = text.substr(0, text.find_first_of("\r\n"));
+    throw InputError(location(child), fmt::format("stray text in {}: \"{}\"", title_of(parent), text));
+  }
 }
 
 int XmlDocument::line_at(std::ptrdiff_t offset) const {
@@ -31,7 +51,14 @@ int XmlDocument::line_at(std::ptrdiff_t offset) const {
 }
 
 SourceLocation XmlDocument::location(const pugi::xml_node& node) const {
-  return {path_.string(), line_at(node.offset_debug())};
+  std::ptrdiff_t offset = node.offset_debug();
+  // Text begins where the tag before it ends, often lines above its first letter.
+  if (node.type() == pugi::node_pcdata) {
+    const std::size_t letter =
+        text_.find_first_not_of(" \t\r\n", static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    if (letter != std::string::npos) offset = static_cast<std::ptrdiff_t>(letter);
+  }
+  return {path_.string(), line_at(offset)};
 }
 
 }  // namespace facet

@@ -9,6 +9,9 @@
 
 namespace facet {
 
+/// `bsdf "diffuse"`, or the tag alone without a type; for messages.
+[[nodiscard]] std::string title_of(const pugi::xml_node& object);
+
 class XmlDocument {
  public:
   /// Throws InputError, with the line, where the file is missing or not well-formed.
@@ -16,6 +19,8 @@ class XmlDocument {
 
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
   [[nodiscard]] SourceLocation location(const pugi::xml_node& node) const;
+  /// Throws InputError at the first text among the children of an element: the language has none.
+  void refuse_stray_content(const pugi::xml_node& parent) const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/text.h"
 #include "scene/xml/values.h"
@@ -23,10 +24,8 @@ bool contains(const std::vector<std::string>& list, std::string_view name) {
 
 PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object)
     : xml_(xml), object_(object) {
+  xml.refuse_stray_content(object);
   for (const pugi::xml_node& child : object.children()) {
-    if (child.type() == pugi::node_pcdata) {
-      throw InputError(xml.location(child), fmt::format("stray text in {}: \"{}\"", title(), child.value()));
-    }
     if (child.type() != pugi::node_element) continue;
     const std::string tag = child.name();
     if (contains(object_tags, tag)) {
@@ -37,6 +36,7 @@ PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& obj
       children_.push_back(child);
     } else if (contains(property_tags, tag)) {
       const std::string name = required_attribute(xml, child, "name");
+      check_property(child);
       if (!properties_.emplace(name, child).second) {
         throw InputError(xml.location(child),
                          fmt::format("{}: property \"{}\" is given twice", title(), name));
@@ -49,10 +49,17 @@ PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& obj
   }
 }
 
-std::string PropertyReader::title() const {
-  const std::string type = object_.attribute("type").value();
-  return type.empty() ? std::string(object_.name()) : fmt::format("{} \"{}\"", object_.name(), type);
+void PropertyReader::check_property(const pugi::xml_node& property) const {
+  if (std::string_view(property.name()) == "transform") return;  // read_transform looks into it
+  xml_.refuse_stray_content(property);
+  for (const pugi::xml_node& child : property.children()) {
+    if (child.type() != pugi::node_element) continue;
+    throw InputError(xml_.location(child), fmt::format("<{}> inside the property \"{}\" of {}", child.name(),
+                                                       property.attribute("name").value(), title()));
+  }
 }
+
+std::string PropertyReader::title() const { return title_of(object_); }
 
 void PropertyReader::fail(const std::string& name, const std::string& message) const {
   const auto found = properties_.find(name);
@@ -90,6 +97,13 @@ double PropertyReader::real_above(const std::string& name, double fallback, doub
   return value;
 }
 
+double PropertyReader::real_between(const std::string& name, double fallback, double least, double most) {
+  const double value = real(name, fallback);
+  if (!(value >= least && value <= most))
+    fail(name, fmt::format("is {:g}, but must be {:g} to {:g}", value, least, most));
+  return value;
+}
+
 int PropertyReader::integer(const std::string& name, int fallback, int least, int most) {
   const auto node = find(name, "integer");
   if (!node) return fallback;
@@ -120,7 +134,9 @@ Color PropertyReader::color(const std::string& name, const Color& fallback) {
   if (!node) return fallback;
   const std::vector<double> v = read_numbers(xml_, *node, "value", 1, 3);
   if (v.size() == 2) fail(name, "holds two numbers; one or three expected");
-  return v.size() == 1 ? Color(static_cast<float>(v[0])) : Color(v[0], v[1], v[2]);
+  const Color c = v.size() == 1 ? Color(static_cast<float>(v[0])) : Color(v[0], v[1], v[2]);
+  if (!std::isfinite(c.r + c.g + c.b)) fail(name, "is too large");
+  return c;
 }
 
 Color PropertyReader::reflectance(const std::string& name, const Color& fallback) {
@@ -133,6 +149,8 @@ Color PropertyReader::reflectance(const std::string& name, const Color& fallback
 
 Color PropertyReader::radiance(const std::string& name, const Color& fallback) {
   const Color c = color(name, fallback);
+  if (glm::any(glm::greaterThan(c, Color(largest_radiance))))
+    fail(name, fmt::format("is more than {:g}", largest_radiance));
   if (glm::any(glm::lessThan(c, Color(0))))
     fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must not be negative", c.r, c.g, c.b));
   return c;
@@ -151,7 +169,7 @@ float PropertyReader::roughness(const std::string& name, float fallback) {
 }
 
 float PropertyReader::index_of_refraction(const std::string& name, float fallback) {
-  return static_cast<float>(real_above(name, fallback, 0));
+  return static_cast<float>(real_between(name, fallback, 0.001, 1000));
 }
 
 dmat4 PropertyReader::transform(const std::string& name) {
@@ -180,6 +198,12 @@ void PropertyReader::finish(Diagnostics& diagnostics) {
     throw InputError(xml_.location(child), fmt::format("{} cannot hold a <{}>", title(), child.name()));
   }
   const std::vector<std::string> names(known_names_.begin(), known_names_.end());
+  for (const pugi::xml_node& child : children_) {
+    const std::string name = child.attribute("name").value();
+    if (std::string_view(child.name()) != "texture" || known_names_.contains(name)) continue;
+    throw InputError(xml_.location(child), fmt::format("{} has no parameter \"{}\" for a texture{}", title(),
+                                                       name, did_you_mean(name, names)));
+  }
   for (const auto& [name, node] : properties_) {
     if (known_names_.contains(name)) continue;
     diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(),

@@ -13,6 +13,9 @@
 
 namespace facet {
 
+/// Radiances beyond this would overflow on their way to the film.
+inline constexpr float largest_radiance = 1e30F;
+
 class PropertyReader {
  public:
   /// Throws InputError for tags that are no part of the language.
@@ -33,7 +36,7 @@ class PropertyReader {
   dmat4 transform(const std::string& name);
   /// A colour in [0, 1].
   Color reflectance(const std::string& name, const Color& fallback);
-  /// A colour that is nowhere negative.
+  /// A colour that is nowhere negative, nor larger than largest_radiance.
   Color radiance(const std::string& name, const Color& fallback);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
@@ -41,10 +44,10 @@ class PropertyReader {
   float index_of_refraction(const std::string& name, float fallback);
   /// One of the words.
   std::string choice(const std::string& name, const std::vector<std::string>& words);
+  /// real() within bounds.
+  double real_between(const std::string& name, double fallback, double least, double most);
   /// real() above a bound.
   double real_above(const std::string& name, double fallback, double bound);
-
-  [[nodiscard]] bool has(const std::string& name) const { return properties_.contains(name); }
 
   /// Child objects with this tag, in order.
   std::vector<pugi::xml_node> children(const std::string& tag);
@@ -61,6 +64,7 @@ class PropertyReader {
  private:
   /// The property's node if it is there; an error if its tag is not the given one.
   std::optional<pugi::xml_node> find(const std::string& name, const std::string& tag);
+  void check_property(const pugi::xml_node& property) const;
   void check_textures(const std::string& name) const;
 
   const XmlDocument& xml_;

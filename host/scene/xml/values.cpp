@@ -1,5 +1,7 @@
 #include "scene/xml/values.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "core/text.h"
@@ -55,11 +57,16 @@ dmat4 read_scale(const XmlDocument& xml, const pugi::xml_node& node) {
   return glm::scale(dmat4(1), v.size() == 1 ? dvec3(v[0]) : dvec3(v[0], v[1], v[2]));
 }
 
+/// Unit vector along v, whose square may over- or underflow; v is not zero.
+dvec3 normalize_any(const dvec3& v) {
+  return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
+
 dmat4 read_rotate(const XmlDocument& xml, const pugi::xml_node& node) {
   const double angle = read_numbers(xml, node, "angle", 1, 1)[0];
   const dvec3 axis = read_vector(xml, node, "axis");
-  if (glm::length(axis) == 0) throw InputError(xml.location(node), "<rotate>: the axis has no direction");
-  return glm::rotate(dmat4(1), glm::radians(angle), glm::normalize(axis));
+  if (axis == dvec3(0)) throw InputError(xml.location(node), "<rotate>: the axis has no direction");
+  return glm::rotate(dmat4(1), glm::radians(angle), normalize_any(axis));
 }
 
 dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
@@ -68,9 +75,9 @@ dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
   const dvec3 up = read_vector(xml, node, "up");
   if (origin == target)
     throw InputError(xml.location(node), "<lookat>: origin and target are the same point");
-  const dvec3 direction = glm::normalize(target - origin);
-  const dvec3 left = glm::cross(up, direction);
-  if (glm::length(left) <= 1e-12 * glm::length(up)) {
+  const dvec3 direction = normalize_any(target - origin);
+  const dvec3 left = up == dvec3(0) ? up : glm::cross(normalize_any(up), direction);
+  if (glm::length(left) <= 1e-12) {
     throw InputError(xml.location(node), "<lookat>: up is parallel to the direction of view");
   }
   const dvec3 unit_left = glm::normalize(left);
@@ -79,6 +86,7 @@ dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
 }
 
 dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
+  xml.refuse_stray_content(step);
   const std::string_view name = step.name();
   if (name == "translate") return glm::translate(dmat4(1), read_vector(xml, step, "value"));
   if (name == "matrix") return read_matrix(xml, step);
@@ -93,6 +101,7 @@ dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
 }  // namespace
 
 dmat4 read_transform(const XmlDocument& xml, const pugi::xml_node& node) {
+  xml.refuse_stray_content(node);
   dmat4 m(1);
   for (const pugi::xml_node& step : node.children()) {
     if (step.type() == pugi::node_element) m = read_step(xml, step) * m;
