@@ -11,7 +11,7 @@ const float LOG_C[9] = float[9](FACET_LOG_COEFFICIENTS);
 const float SIN_C[3] = float[3](FACET_SIN_COEFFICIENTS);
 const float COS_C[3] = float[3](FACET_COS_COEFFICIENTS);
 const float ATAN_C[5] = float[5](FACET_ATAN_COEFFICIENTS);
-const float ERFCX_C[10] = float[10](FACET_ERFCX_COEFFICIENTS);
+const float ERFCX_C[11] = float[11](FACET_ERFCX_COEFFICIENTS);
 const float ERFINV_CENTRAL_C[9] = float[9](FACET_ERFINV_CENTRAL_COEFFICIENTS);
 const float ERFINV_TAIL_C[9] = float[9](FACET_ERFINV_TAIL_COEFFICIENTS);
 
@@ -76,7 +76,7 @@ float erfc_accurate(float x) {
   float a = abs(x);
   float t = 1.0 / (1.0 + a * 0.333333333);
   float q = ERFCX_C[0] + t * (ERFCX_C[1] + t * (ERFCX_C[2] + t * (ERFCX_C[3] + t * (ERFCX_C[4] + t * (ERFCX_C[5] +
-            t * (ERFCX_C[6] + t * (ERFCX_C[7] + t * (ERFCX_C[8] + t * ERFCX_C[9]))))))));
+            t * (ERFCX_C[6] + t * (ERFCX_C[7] + t * (ERFCX_C[8] + t * (ERFCX_C[9] + t * ERFCX_C[10])))))))));
   float tail = exp_accurate(-a * a) * (t * q);
   return x < 0.0 ? 2.0 - tail : tail;
 }

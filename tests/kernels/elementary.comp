@@ -1,0 +1,23 @@
+#version 450
+// Evaluates one of our elementary functions for every input; for tests/unit/elementary_test.cpp.
+#extension GL_GOOGLE_include_directive : require
+#include "../../shaders/lib/elementary.glsl"
+
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint FUNCTION = 0;
+layout(std430, binding = 0) readonly buffer Inputs { vec2 inputs[]; };
+layout(std430, binding = 1) writeonly buffer Outputs { vec2 outputs[]; };
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= uint(inputs.length())) return;
+  vec2 x = inputs[i];
+  vec2 y = vec2(0.0);
+  if (FUNCTION == 0u) y.x = exp_accurate(x.x);
+  if (FUNCTION == 1u) y.x = log_accurate(x.x);
+  if (FUNCTION == 2u) y = sincos_turns(x.x);
+  if (FUNCTION == 3u) y.x = atan2_accurate(x.x, x.y);
+  if (FUNCTION == 4u) y.x = erfc_accurate(x.x);
+  if (FUNCTION == 5u) y.x = erfinv_quantile(x.x);
+  outputs[i] = y;
+}

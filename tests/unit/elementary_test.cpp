@@ -1,0 +1,154 @@
+// The kernels' elementary functions, on the device, against double precision. The bounds are the ones that
+// shaders/lib/elementary.glsl states.
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "gpu/pipeline.h"
+#include "support/render.h"
+
+namespace facet::test {
+namespace {
+
+enum Function : std::uint32_t {
+  function_exp,
+  function_log,
+  function_sincos,
+  function_atan2,
+  function_erfc,
+  function_erfinv
+};
+
+using Pairs = std::vector<glm::vec2>;
+
+std::vector<std::uint32_t> read_words(const std::string& path) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  EXPECT_TRUE(in) << path;
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(in.tellg()) / 4);
+  in.seekg(0);
+  in.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(words.size() * 4));
+  return words;
+}
+
+/// outputs[i] = function(inputs[i]) by the kernel.
+Pairs evaluate(Function function, const Pairs& inputs) {
+  gpu::Device device = make_device();
+  const std::vector<vk::DescriptorType> types(2, vk::DescriptorType::eStorageBuffer);
+  const gpu::Layout layout(device, types, 4);
+  gpu::Buffer in(device, inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+                 "inputs");
+  const gpu::Buffer out(device, inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+                        "outputs");
+  in.upload(inputs);
+  const std::vector<gpu::Binding> bindings{{&in, nullptr}, {&out, nullptr}};
+  const gpu::BindingSet set(device, layout, bindings);
+  const std::vector<std::uint32_t> code = read_words(FACET_TEST_KERNELS "/elementary.spv");
+  const std::vector<std::uint32_t> constants{function};
+  const auto pipeline = gpu::make_compute_pipeline(device, layout, code, constants, "elementary");
+  device.run([&](const vk::raii::CommandBuffer& c) {
+    c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline(), 0, set.handle(), {});
+    c.dispatch(static_cast<std::uint32_t>((inputs.size() + 63) / 64), 1, 1);
+    gpu::barrier(c);
+  });
+  Pairs outputs(inputs.size());
+  out.download(std::as_writable_bytes(std::span(outputs)));
+  expect_silent_validation();
+  return outputs;
+}
+
+constexpr std::size_t count = 1U << 20U;
+
+Pairs sweep(double from, double to) {
+  Pairs inputs(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    inputs[i] = {static_cast<float>(from + (to - from) * static_cast<double>(i) / (count - 1)), 0};
+  }
+  return inputs;
+}
+
+Pairs sweep_exponents(double from, double to) {
+  Pairs inputs = sweep(std::log(from), std::log(to));
+  for (glm::vec2& x : inputs) x.x = static_cast<float>(std::exp(static_cast<double>(x.x)));
+  return inputs;
+}
+
+/// Largest |y - expected| in units in the last place of the expected value.
+template <typename Exact>
+double largest_ulp(Function function, const Pairs& inputs, const Exact& exact) {
+  const Pairs outputs = evaluate(function, inputs);
+  double largest = 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const double y = exact(static_cast<double>(inputs[i].x), static_cast<double>(inputs[i].y));
+    const double ulp = std::ldexp(1.0, std::max(std::ilogb(y), -126) - 23);
+    largest = std::max(largest, std::abs(static_cast<double>(outputs[i].x) - y) / ulp);
+  }
+  return largest;
+}
+
+TEST(Elementary, exp) {
+  EXPECT_LE(largest_ulp(function_exp, sweep(-87, 88), [](double x, double) { return std::exp(x); }), 2);
+  EXPECT_EQ(evaluate(function_exp, {{-1000, 0}})[0].x, 0);
+  EXPECT_EQ(evaluate(function_exp, {{0, 0}})[0].x, 1);
+}
+
+TEST(Elementary, log) {
+  const auto exact = [](double x, double) { return std::log(x); };
+  EXPECT_LE(largest_ulp(function_log, sweep_exponents(1.2e-38, 3e38), exact), 1.5);
+  // Near 1, where GLSL's own loses all digits on lavapipe.
+  EXPECT_LE(largest_ulp(function_log, sweep(0.5, 2), exact), 1.5);
+  EXPECT_EQ(evaluate(function_log, {{1, 0}})[0].x, 0);
+}
+
+TEST(Elementary, sine_and_cosine_of_turns) {
+  const Pairs inputs = sweep(0, 1);
+  const Pairs outputs = evaluate(function_sincos, inputs);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(inputs[i].x);
+    largest = std::max(largest, std::abs(static_cast<double>(outputs[i].x) - std::sin(angle)));
+    largest = std::max(largest, std::abs(static_cast<double>(outputs[i].y) - std::cos(angle)));
+  }
+  EXPECT_LE(largest, 1.5e-7);
+}
+
+TEST(Elementary, atan2) {
+  Pairs inputs = sweep(0, 1);
+  for (glm::vec2& x : inputs) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(x.x) - std::numbers::pi;
+    x = {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))};
+  }
+  EXPECT_LE(largest_ulp(function_atan2, inputs, [](double y, double x) { return std::atan2(y, x); }), 3);
+  EXPECT_EQ(evaluate(function_atan2, {{0, 0}})[0].x, 0);
+}
+
+TEST(Elementary, erfc_keeps_its_tail) {
+  const Pairs inputs = sweep(-6, 9);
+  const Pairs outputs = evaluate(function_erfc, inputs);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<double>(inputs[i].x);
+    largest = std::max(largest, std::abs(outputs[i].x / std::erfc(x) - 1) / (1 + x * x));
+  }
+  EXPECT_LE(largest, 4e-7);
+}
+
+TEST(Elementary, erfinv_inverts_erf) {
+  Pairs inputs = sweep(0.001, 0.999);
+  for (int e = -25; e < -3; ++e) inputs.emplace_back(std::ldexp(1.0F, e), 0.0F);
+  for (int e = -24; e < -3; ++e) inputs.emplace_back(1 - std::ldexp(1.0F, e), 0.0F);
+  const Pairs outputs = evaluate(function_erfinv, inputs);
+  double largest = 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto u = static_cast<double>(inputs[i].x);
+    const double x = outputs[i].x;
+    // Error of x by one Newton step: (erf(x) + 1 - 2u) / erf'(x).
+    const double residual = x < 0 ? std::erfc(-x) - 2 * u : 2 * (1 - u) - std::erfc(x);
+    const double step = residual / (2 / std::sqrt(std::numbers::pi) * std::exp(-x * x));
+    if (std::abs(x) > 1e-6) largest = std::max(largest, std::abs(step / x));
+  }
+  EXPECT_LE(largest, 1e-6);
+}
+
+}  // namespace
+}  // namespace facet::test
