@@ -40,10 +40,7 @@ std::size_t bytes_of(const std::vector<Record>& records) {
 }
 
 std::string describe(const Mesh& mesh, const Scene& scene) {
-#define FACET_NAME(name, Type, id) #name,
-  static const std::vector<std::string> bsdf_names{FACET_BSDF_LIST(FACET_NAME)};
-#undef FACET_NAME
-  const std::string bsdf = bsdf_names[scene.bsdfs[mesh.bsdf].index()];
+  const std::string_view bsdf = bsdf_type_names[scene.bsdfs[mesh.bsdf].index()];
   return fmt::format("{}: {} triangles, {}{}{}", mesh.name, mesh.position_indices.size(), bsdf,
                      mesh.normal_indices.empty() ? "" : ", vertex normals",
                      mesh.emitter == none ? "" : ", emits");

@@ -12,6 +12,10 @@ namespace {
 /// Bytes copied at a time where staging is needed.
 constexpr std::uint64_t staging_bytes = 16U << 20U;
 
+/// Every buffer holds at least one record of any kind: kernels look at the first one even where they then
+/// discard it.
+constexpr std::uint64_t least_bytes = 64;
+
 vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage) {
   return {device.handle(), vk::BufferCreateInfo({}, bytes, usage)};
 }
@@ -20,7 +24,7 @@ vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes, vk::Buff
 
 Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what)
     : device_(&device),
-      size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, 16)),
+      size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, least_bytes)),
       buffer_(nullptr),
       memory_(nullptr) {
   using Memory = vk::MemoryPropertyFlagBits;

@@ -8,7 +8,7 @@ namespace facet::gpu {
 
 class Buffer {
  public:
-  /// At least 16 bytes are allocated, so that an unused buffer can be bound. `what` names it in messages.
+  /// At least 64 bytes are allocated, so that an unused buffer can be bound. `what` names it in messages.
   Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what);
 
   [[nodiscard]] vk::Buffer handle() const { return *buffer_; }

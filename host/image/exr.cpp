@@ -21,7 +21,7 @@ constexpr long long largest_side = 1 << 20;
 constexpr long long largest_area = 1LL << 30;
 
 Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
-  const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  const auto width = static_cast<std::size_t>(window.max.x - window.min.x) + 1;
   const auto offset =
       static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width) + window.min.x;
   // OpenEXR addresses pixels from the origin of the display window and takes its buffers without const.

@@ -11,13 +11,6 @@ namespace {
 /// First interaction at which the path kernel plays roulette (docs/sampling.md).
 constexpr int roulette_first = 4;
 
-const std::vector<std::string>& bsdf_names() {
-#define FACET_NAME(name, Type, id) #name,
-  static const std::vector<std::string> names{FACET_BSDF_LIST(FACET_NAME)};
-#undef FACET_NAME
-  return names;
-}
-
 const std::vector<std::string>& emitter_names() {
 #define FACET_NAME(name, id) #name,
   static const std::vector<std::string> names{FACET_EMITTER_LIST(FACET_NAME)};
@@ -62,8 +55,8 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
 std::vector<std::string> Features::names() const {
   std::vector<std::string> list{std::string("integrator ") + std::string(integrator.type.name)};
   if (integrator.needs_emitters()) {
-    for (std::size_t i = 0; i < bsdf_names().size(); ++i) {
-      if ((bsdf_mask >> i & 1U) != 0) list.push_back("bsdf " + bsdf_names()[i]);
+    for (std::size_t i = 0; i < bsdf_type_names.size(); ++i) {
+      if ((bsdf_mask >> i & 1U) != 0) list.push_back("bsdf " + std::string(bsdf_type_names[i]));
     }
     for (std::size_t i = 0; i < emitter_names().size(); ++i) {
       if ((emitter_mask >> i & 1U) != 0) list.push_back("emitter " + emitter_names()[i]);

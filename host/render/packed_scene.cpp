@@ -115,6 +115,9 @@ class Packer {
     for (std::size_t i = 0; i < counts.size(); ++i)
       packed_.emitter_triangles[record.first_triangle + i].cumulative = counts[i];
     record.triangle_count = static_cast<std::uint32_t>(counts.size());
+    // Kernels without branches look at the first triangle even of an emitter that has none and is never
+    // chosen.
+    if (counts.empty()) record.first_triangle = 0;
     double total = 0;
     for (const double area : areas) total += area;
     return total;

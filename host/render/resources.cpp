@@ -66,7 +66,11 @@ gpu::Buffer make_scene_buffer(gpu::Device& device, const std::vector<Record>& re
                                  device.info().name, device.limits().maxStorageBufferRange));
   }
   gpu::Buffer buffer(device, bytes, texels ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer, what);
-  buffer.upload(records);
+  if (records.empty()) {
+    buffer.clear();
+  } else {
+    buffer.upload(records);
+  }
   return buffer;
 }
 

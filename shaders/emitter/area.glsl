@@ -8,7 +8,7 @@
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
    angle is d^2 / (A |ng.w|) with the geometric normal ng. */
 #include "../lib/emitter_sample.glsl"
-#include "../lib/random.glsl"
+#include "../lib/choice.glsl"
 #include "../lib/surface.glsl"
 #include "../lib/warp.glsl"
 
@@ -21,23 +21,14 @@ float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
   return c > 0.0 ? (distance / e.radiance.w) * (distance / c) : 0.0;
 }
 
-/// First triangle of the emitter whose cumulative count exceeds bits.
-uint area_find_triangle(EmitterRecord e, uint bits) {
-  uint low = e.first_triangle;
-  uint high = e.first_triangle + e.triangle_count - 1u;
-  for (uint k = 0u; k < 32u; ++k) {
-    if (low >= high) break;
-    uint middle = (low + high) / 2u;
-    bool below = emitter_triangles[middle].cumulative <= bits;
-    low = below ? middle + 1u : low;
-    high = below ? high : middle;
-  }
-  return low;
-}
+#define FACET_TRIANGLE_COUNT(i) emitter_triangles[i].cumulative
+FACET_DEFINE_CHOICE(choose_emitter_triangle, FACET_TRIANGLE_COUNT)
 
 EmitterSample area_sample(EmitterRecord e, vec3 from, uint primitive_bits, vec2 u) {
   vec2 b = square_to_triangle(u);
-  Surface s = surface_at(emitter_triangles[area_find_triangle(e, choice_word(primitive_bits))].triangle, b.x, b.y);
+  uint last = e.first_triangle + max(e.triangle_count, 1u) - 1u;
+  uint chosen = choose_emitter_triangle(e.first_triangle, last, choice_word(primitive_bits));
+  Surface s = surface_at(emitter_triangles[chosen].triangle, b.x, b.y);
   vec3 to = s.position - from;
   EmitterSample r;
   r.d = normalize_safe(to);

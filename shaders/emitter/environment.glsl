@@ -13,7 +13,7 @@
 #include "../lib/elementary.glsl"
 #include "../lib/emitter_sample.glsl"
 #include "../lib/frame.glsl"
-#include "../lib/random.glsl"
+#include "../lib/choice.glsl"
 
 /// Image coordinates of a direction: x in [0, W], y in [0, H], in texels.
 vec2 environment_coordinates(vec3 d) {
@@ -49,33 +49,10 @@ float environment_pdf(vec3 d) {
   return environment_texel(x, y).w;
 }
 
-/// Index of the row whose counts hold bits.
-uint environment_find_row(uint bits) {
-  uint low = 0u;
-  uint high = frame.environment_height - 1u;
-  for (uint k = 0u; k < 32u; ++k) {
-    if (low >= high) break;
-    uint middle = (low + high) / 2u;
-    bool below = environment_rows[middle].cumulative <= bits;
-    low = below ? middle + 1u : low;
-    high = below ? high : middle;
-  }
-  return low;
-}
-
-/// Index within the row's cells, as an index into environment_columns.
-uint environment_find_column(uint row, uint bits) {
-  uint low = row * frame.environment_width;
-  uint high = low + frame.environment_width - 1u;
-  for (uint k = 0u; k < 32u; ++k) {
-    if (low >= high) break;
-    uint middle = (low + high) / 2u;
-    bool below = environment_columns[middle] <= bits;
-    low = below ? middle + 1u : low;
-    high = below ? high : middle;
-  }
-  return low;
-}
+#define FACET_ROW_COUNT(i) environment_rows[i].cumulative
+FACET_DEFINE_CHOICE(choose_environment_row, FACET_ROW_COUNT)
+#define FACET_COLUMN_COUNT(i) environment_columns[i]
+FACET_DEFINE_CHOICE(choose_environment_cell, FACET_COLUMN_COUNT)
 
 /// How far bits lies into [begin, end), in [0, 1).
 float interval_fraction(uint bits, uint begin, uint end) {
@@ -85,11 +62,11 @@ float interval_fraction(uint bits, uint begin, uint end) {
 EmitterSample environment_sample(uint row_bits, uint column_bits) {
   row_bits = choice_word(row_bits);
   column_bits = choice_word(column_bits);
-  uint row = environment_find_row(row_bits);
+  uint row = choose_environment_row(0u, frame.environment_height - 1u, row_bits);
   uint row_begin = row > 0u ? environment_rows[row - 1u].cumulative : 0u;
   float fy = interval_fraction(row_bits, row_begin, environment_rows[row].cumulative);
   uint first = row * frame.environment_width;
-  uint cell = environment_find_column(row, column_bits);
+  uint cell = choose_environment_cell(first, first + frame.environment_width - 1u, column_bits);
   uint cell_begin = cell > first ? environment_columns[cell - 1u] : 0u;
   float fx = interval_fraction(column_bits, cell_begin, environment_columns[cell]);
   float y = lerp(environment_rows[row].y_begin, environment_rows[row].y_end, fy);

@@ -1,28 +1,18 @@
 // Choice among the emitters, and dispatch over the kinds that the scene has.
 #ifndef FACET_EMITTER_GLSL
 #define FACET_EMITTER_GLSL
+#include "choice.glsl"
 #include "random.glsl"
 #include "specialization.glsl"
 #include "../emitter/area.glsl"
 #include "../emitter/environment.glsl"
 
-/// The emitter whose share of the 2^32 words holds bits.
-uint choose_emitter(uint bits) {
-  uint low = 0u;
-  uint high = frame.emitter_count - 1u;
-  for (uint k = 0u; k < 32u; ++k) {
-    if (low >= high) break;
-    uint middle = (low + high) / 2u;
-    bool below = emitters[middle].cumulative <= bits;
-    low = below ? middle + 1u : low;
-    high = below ? high : middle;
-  }
-  return low;
-}
+#define FACET_EMITTER_COUNT(i) emitters[i].cumulative
+FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
 /// A direction towards some emitter; pdf includes the choice of the emitter.
 EmitterSample sample_emitters(vec3 from, uvec4 bits) {
-  EmitterRecord e = emitters[choose_emitter(choice_word(bits[EMITTER_CHOICE]))];
+  EmitterRecord e = emitters[choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE]))];
   EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true);
   if (HAS_EMITTER(area) && (!HAS_EMITTER(environment) || e.type == EMITTER_area)) {
     s = area_sample(e, from, bits[EMITTER_PRIMITIVE], vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));

@@ -17,9 +17,6 @@ uvec4 random_block(SampleId id, uint block) { return pcg4d(uvec4(id.pixel, id.in
 /// A word as a number in [0, 1 - 2^-24].
 float unit_float(uint bits) { return float(bits >> 8u) * 5.96046448e-8; }
 
-/// A word for a choice by cumulative counts, of which the last is 2^32 - 1.
-uint choice_word(uint bits) { return min(bits, 0xfffffffeu); }
-
 /// First of a bounce's blocks, bounce = 1, 2, ...
 uint bounce_block(uint bounce) { return BLOCK_FIRST_BOUNCE + (bounce - 1u) * BLOCKS_PER_BOUNCE; }
 

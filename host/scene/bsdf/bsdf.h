@@ -1,5 +1,7 @@
 #pragma once
 // The BSDFs' parameters: one type for each line of the shared list.
+#include <array>
+#include <string_view>
 #include <variant>
 
 #include "scene/bsdf/diffuse.h"
@@ -26,6 +28,13 @@ using Bsdf = decltype(detail::variant_without_first(std::variant<std::monostate
   static_assert(std::is_same_v<std::variant_alternative_t<id, Bsdf>, bsdf::Type>, "ids count up from 0");
 FACET_BSDF_LIST(FACET_CHECK)
 #undef FACET_CHECK
+
+/// The scene language's names, by id.
+inline constexpr std::array bsdf_type_names{
+#define FACET_NAME(name, Type, id) std::string_view(#name),
+    FACET_BSDF_LIST(FACET_NAME)
+#undef FACET_NAME
+};
 
 /// The record that the kernels read.
 [[nodiscard]] inline shared::BsdfRecord pack_bsdf(const Bsdf& b) {

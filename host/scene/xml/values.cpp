@@ -46,7 +46,8 @@ dmat4 read_matrix(const XmlDocument& xml, const pugi::xml_node& node) {
   const std::vector<double> v = read_numbers(xml, node, "value", 16, 16);
   dmat4 m;
   for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) m[column][row] = v[static_cast<std::size_t>(4 * row + column)];
+    for (int column = 0; column < 4; ++column)
+      m[column][row] = v[4 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
   }
   return m;
 }
