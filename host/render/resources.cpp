@@ -35,7 +35,11 @@ GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed,
 std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(slots, paths));
+  // The largest record of a path must be bindable, and the permutation of pixels computes in 32 bits.
+  constexpr std::uint32_t most = 1U << 21U;
+  const auto bindable =
+      static_cast<std::uint32_t>(device.limits().maxStorageBufferRange / sizeof(shared::ShadowRayRecord));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most, bindable}));
 }
 
 std::uint32_t crop_pixels(const Crop& crop) {

@@ -31,7 +31,9 @@ vec3 substrate_diffuse(BsdfRecord b, vec3 wo, vec3 wi) {
 float substrate_coat_probability(BsdfRecord b, vec3 wo) {
   float coat = fresnel_dielectric(wo.z, b.b.x, b.b.y);
   float base = b.b.w * (1.0 - b.b.z) * substrate_falloff(wo.z);
-  return coat > 0.0 ? coat / (coat + base) : 0.0;
+  // u_lobe counts in steps of 2^-24: neither lobe that has a value is out of its reach.
+  float p = min(max(coat / (coat + base), 5.96046448e-8), base > 0.0 ? 0.99999994 : 1.0);
+  return coat > 0.0 ? p : 0.0;
 }
 
 vec3 roughsubstrate_eval(BsdfRecord b, vec3 wo, vec3 wi) {

@@ -18,7 +18,8 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) { return dot3(s.ns, d) < 0.0 
 /// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen.
 float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
   float c = abs(dot3(s.ng, d));
-  return c > 0.0 ? (distance / e.radiance.w) * (distance / c) : 0.0;
+  // Finite, so that the MIS weight of a vanishing emitter is no quotient of infinities.
+  return c > 0.0 ? min((distance / e.radiance.w) * (distance / c), 1.0e37) : 0.0;
 }
 
 #define FACET_TRIANGLE_COUNT(i) emitter_triangles[i].cumulative

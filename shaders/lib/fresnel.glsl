@@ -15,13 +15,19 @@ float fresnel_dielectric(float c, float ext_ior, float int_ior) {
   float eta_i = c < 0.0 ? int_ior : ext_ior;
   float eta_t = c < 0.0 ? ext_ior : int_ior;
   float ci = min(abs(c), 1.0);
+  // Written in the difference of the indices, so that nothing cancels where they are nearly equal:
+  // ct^2 = 1 - r + r ci^2, rs = (eta_i^2 - eta_t^2) / a^2, rp = (eta_t^2 - eta_i^2) (ci^2 (1 + r) - r) / b^2, r = (eta_i / eta_t)^2.
+  float d = (eta_t - eta_i) * (eta_t + eta_i);
   float ratio = eta_i / eta_t;
-  float sin2_t = ratio * ratio * ((1.0 - ci) * (1.0 + ci));
-  float ct = sqrt(max(1.0 - sin2_t, 0.0));
-  float rs = (eta_i * ci - eta_t * ct) / (eta_i * ci + eta_t * ct);
-  float rp = (eta_t * ci - eta_i * ct) / (eta_t * ci + eta_i * ct);
-  float f = 0.5 * (rs * rs + rp * rp);
-  f = sin2_t >= 1.0 ? 1.0 : f;
+  float r = ratio * ratio;
+  float ct2 = d / eta_t / eta_t + r * (ci * ci);
+  float ct = sqrt(max(ct2, 0.0));
+  float a = eta_i * ci + eta_t * ct;
+  float b = eta_t * ci + eta_i * ct;
+  float rs = d / a / a;
+  float rp = d * (ci * ci * (1.0 + r) - r) / b / b;
+  float f = min(0.5 * (rs * rs + rp * rp), 1.0);
+  f = ct2 <= 0.0 ? 1.0 : f;
   return eta_i == eta_t ? 0.0 : f;
 }
 

@@ -68,8 +68,10 @@ float beckmann_visible_slope(float s, float c, float u) {
     float newton = residual / (2.0 * INV_SQRT_PI * gauss * visible);
     float halley = newton / max(1.0 + newton * (x + 0.5 * s / visible), 0.5);
     float next = x - halley;
-    next = (next > lower && next < upper) ? next : 0.5 * (lower + upper);
-    done = abs(next - x) <= 2.0e-7 * max(abs(x), 0.1);
+    // A step of zero stays at a border of the bracket, so the borders are inside.
+    next = (next >= lower && next <= upper) ? next : 0.5 * (lower + upper);
+    // The residual's own rounding moves x by this much.
+    done = abs(next - x) <= 2.0e-7 * max(abs(x), 2.0);
     x = next;
     if (done) break;
   }

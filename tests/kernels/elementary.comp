@@ -1,7 +1,8 @@
 #version 450
-// Evaluates one of our elementary functions for every input; for tests/unit/elementary_test.cpp.
+// Evaluates one of our functions of numbers for every input; for tests/unit/elementary_test.cpp.
 #extension GL_GOOGLE_include_directive : require
-#include "../../shaders/lib/elementary.glsl"
+#include "../../shaders/lib/fresnel.glsl"
+#include "../../shaders/lib/microfacet.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint FUNCTION = 0;
@@ -19,5 +20,7 @@ void main() {
   if (FUNCTION == 3u) y.x = atan2_accurate(x.x, x.y);
   if (FUNCTION == 4u) y.x = erfc_accurate(x.x);
   if (FUNCTION == 5u) y.x = erfinv_quantile(x.x);
+  if (FUNCTION == 6u) y.x = beckmann_visible_slope(sqrt((1.0 - x.x) * (1.0 + x.x)), x.x, x.y);
+  if (FUNCTION == 7u) y.x = fresnel_dielectric(x.x, 1.0, x.y);
   outputs[i] = y;
 }
