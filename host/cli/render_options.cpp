@@ -61,8 +61,10 @@ bool RenderOptions::wants_variance_channels() const {
 
 void add_render_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
-  command.add_option("-o,--output", o.outputs,
-                     "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here");
+  command
+      .add_option("-o,--output", o.outputs,
+                  "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
+      ->allow_extra_args(false);
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
   command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
   command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
@@ -86,6 +88,7 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       ->check(CLI::IsMember({"uniform", "power"}));
   command.add_option("--aov", o.aovs, "Further EXR channels: variance (of each pixel's mean)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"variance"}));
   command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")
       ->check(CLI::Range(-100.F, 100.F));

@@ -47,6 +47,11 @@ TEST_F(RenderCliTest, WritesExrAndPngByDefault) {
   EXPECT_EQ(result.err.find('\x1b'), std::string::npos) << "no bar where there is no terminal";
 }
 
+TEST_F(RenderCliTest, OptionsMayStandBeforeTheScene) {
+  EXPECT_EQ(run({"render", "-o", "a.exr", "-o", "b.png", "--aov", "variance", "scene.xml"}).code, 0);
+  EXPECT_EQ(folder_.names(), (Names{"a.exr", "b.png", "floor.obj", "light.obj", "scene.xml"}));
+}
+
 TEST_F(RenderCliTest, QuietPrintsNothingAndMetadataSaysHow) {
   const Image image = render("a", {"--seed", "5"});
   EXPECT_EQ(image.width(), 16);
