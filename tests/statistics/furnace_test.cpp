@@ -91,6 +91,22 @@ TEST(Furnace, ambient_occlusion_of_a_lone_plane_is_one) {
   expect_mean(render(scene, 64).image, 1);
 }
 
+TEST(FirstHit, depth_is_the_distance_and_normals_are_absolute) {
+  Scene scene = make_scene("depth");
+  // Tilted, winding downwards: the normal is (0, -0.8, 0.6).
+  add_mesh(scene, make_quad({-4, -3, -4}, {4, -3, -4}, {4, 3, 4}, {-4, 3, 4}), bsdf::Diffuse{});
+  set_camera(scene, 4, 0.001, {0, 5, 0}, {0, 0, 0}, {0, 0, 1});
+  const Rendered depth = render(scene, 4);
+  EXPECT_NEAR(depth.image.at(1, 2, 0), 5, 1e-4);
+  set_integrator(scene, "normals");
+  const Rendered normals = render(scene, 4);
+  EXPECT_NEAR(normals.image.at(1, 2, 0), 0, 1e-6);
+  EXPECT_NEAR(normals.image.at(1, 2, 1), 0.8, 1e-6);
+  EXPECT_NEAR(normals.image.at(1, 2, 2), 0.6, 1e-6);
+  scene.meshes.clear();
+  EXPECT_EQ(render(scene, 4).image.at(1, 2, 1), 0);
+}
+
 /// Radiance leaving a diffuse floor under a polygonal light of radiance 1 (J. H. Lambert's formula for the
 /// irradiance).
 double lambert_radiance(const dvec3& p, const dvec3& n, const std::vector<dvec3>& polygon, double albedo) {
