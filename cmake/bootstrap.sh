@@ -25,20 +25,18 @@ missing_packages() {
   done
 }
 
-as_root() {
-  if [ "$(id -u)" = 0 ]; then
-    "$@"
-  elif command -v sudo >/dev/null; then
-    sudo -n true 2>/dev/null || fail "packages are missing and sudo needs a password here; as root: apt-get install $missing"
-    sudo "$@"
-  else
-    fail "packages are missing and there is neither root nor sudo; as root: apt-get install $missing"
-  fi
+# Sets $as_root to what runs a command as root, or says what to do.
+find_root() {
+  as_root=
+  [ "$(id -u)" = 0 ] && return
+  command -v sudo >/dev/null || fail "packages are missing, and there is neither root nor sudo; as root: apt-get install $missing"
+  sudo -n true 2>/dev/null || fail "packages are missing, and sudo wants a password; as root: apt-get install $missing"
+  as_root=sudo
 }
 
 # apt's output goes to a log that is shown only on failure.
 run_apt() {
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 </dev/null || {
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 </dev/null || {
     tail -n 20 "$log" >&2
     rm -f "$log"
     fail "apt-get $1 failed (its last lines are above); is there a network, and does /etc/apt name a Debian mirror?"
@@ -50,6 +48,7 @@ install_packages() {
     fail "this is no Debian (no apt-get): install the equivalents of $* yourself; README.md says how to build without this script"
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
+  find_root
   say "installing: $missing"
   log=$(mktemp)
   run_apt update

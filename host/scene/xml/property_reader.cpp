@@ -121,7 +121,7 @@ std::string PropertyReader::string(const std::string& name, const std::string& f
 }
 
 std::string PropertyReader::choice(const std::string& name, const std::vector<std::string>& words) {
-  const std::string word = string(name, words.front());
+  std::string word = string(name, words.front());
   if (!contains(words, word)) {
     fail(name, fmt::format("is \"{}\", which is none of: {}{}", word, fmt::join(words, ", "),
                            did_you_mean(word, words)));
