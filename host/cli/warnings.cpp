@@ -27,11 +27,10 @@ bool is_clipped_away(const Scene& scene) {
 
 /// Whether no triangle of the mesh has an area that the renderer can hold.
 bool is_without_area(const Mesh& mesh) {
-  return std::all_of(mesh.position_indices.begin(), mesh.position_indices.end(), [&](const uvec3& i) {
-    const dvec3 e1 = dvec3(mesh.positions[i.y]) - dvec3(mesh.positions[i.x]);
-    const dvec3 e2 = dvec3(mesh.positions[i.z]) - dvec3(mesh.positions[i.x]);
-    return glm::length(glm::cross(e1, e2)) < 2.0 * std::numeric_limits<float>::min();
-  });
+  for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
+    if (triangle_area(mesh, i) > 0) return false;
+  }
+  return true;
 }
 
 }  // namespace

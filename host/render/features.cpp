@@ -8,9 +8,6 @@ namespace facet {
 
 namespace {
 
-/// First interaction at which the path kernel plays roulette (docs/sampling.md).
-constexpr int roulette_first = 4;
-
 const std::vector<std::string>& emitter_names() {
 #define FACET_NAME(name, id) #name,
   static const std::vector<std::string> names{FACET_EMITTER_LIST(FACET_NAME)};
@@ -28,7 +25,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });
   f.integrator = scene.integrator;
   const int limit = scene.integrator.interaction_limit();
-  f.roulette = limit < 0 || limit >= roulette_first;
+  f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
   f.visible_normals = settings.sampling == LobeSampling::visible;
   // Without a single emitter there is nothing to sample.

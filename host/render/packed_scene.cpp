@@ -3,7 +3,6 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/parallel.h"
@@ -23,13 +22,6 @@ struct SourceTriangle {
 TriangleCorners corners_of(const Mesh& mesh, std::size_t i) {
   const uvec3& p = mesh.position_indices[i];
   return {mesh.positions[p.x], mesh.positions[p.y], mesh.positions[p.z]};
-}
-
-/// Area in m^2.
-double area_of(const TriangleCorners& c) {
-  const dvec3 e1 = dvec3(c[1]) - dvec3(c[0]);
-  const dvec3 e2 = dvec3(c[2]) - dvec3(c[0]);
-  return 0.5 * glm::length(glm::cross(e1, e2));
 }
 
 glm::uvec4 position_record(const vec3& p, std::uint32_t w) {
@@ -63,12 +55,10 @@ class Packer {
     for (std::uint32_t m = 0; m < scene_.meshes.size(); ++m) {
       const Mesh& mesh = scene_.meshes[m];
       for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i, ++id) {
-        const TriangleCorners corners = corners_of(mesh, i);
-        // A triangle without an area that a float can hold cannot be hit, and would only make normals that do
-        // not exist.
-        if (!(area_of(corners) >= std::numeric_limits<float>::min())) continue;
+        // A triangle without area cannot be hit, and would only make normals that do not exist.
+        if (triangle_area(mesh, i) == 0) continue;
         sources_.push_back({m, i, id});
-        corners_.push_back(corners);
+        corners_.push_back(corners_of(mesh, i));
       }
     }
   }
@@ -108,7 +98,7 @@ class Packer {
     std::vector<double> areas;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       if (sources_[s].mesh != mesh) continue;
-      areas.push_back(area_of(corners_[s]));
+      areas.push_back(triangle_area(scene_.meshes[mesh], sources_[s].index));
       packed_.emitter_triangles.push_back({0, place_[s]});
     }
     const std::vector<std::uint32_t> counts = cumulative_counts(areas);

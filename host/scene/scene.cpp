@@ -1,6 +1,16 @@
 #include "scene/scene.h"
 
+#include <limits>
+
 namespace facet {
+
+double triangle_area(const Mesh& mesh, std::size_t triangle) {
+  const uvec3& i = mesh.position_indices[triangle];
+  const dvec3 e1 = dvec3(mesh.positions[i.y]) - dvec3(mesh.positions[i.x]);
+  const dvec3 e2 = dvec3(mesh.positions[i.z]) - dvec3(mesh.positions[i.x]);
+  const double area = 0.5 * glm::length(glm::cross(e1, e2));
+  return area >= std::numeric_limits<float>::min() ? area : 0;
+}
 
 std::size_t Scene::triangle_count() const {
   std::size_t count = 0;

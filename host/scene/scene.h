@@ -33,6 +33,10 @@ struct Mesh {
   std::uint32_t emitter = none;         ///< index into Scene::emitters
 };
 
+/// Area of a triangle of the mesh in m^2; 0 if it is too small for a float to hold, so that nothing can hit
+/// it.
+[[nodiscard]] double triangle_area(const Mesh& mesh, std::size_t triangle);
+
 /// One-sided emission of a mesh.
 struct AreaEmitter {
   std::uint32_t mesh = 0;  ///< index into Scene::meshes

@@ -15,8 +15,6 @@
 #include "../lib/bsdf.glsl"
 #include "../lib/emitter.glsl"
 
-/// First interaction at which roulette is played.
-const uint ROULETTE_FIRST = 4u;
 const float ROULETTE_MAX_SURVIVAL = 0.95;
 
 /// Weight of a sample of density `used` where `other` would have sampled it too.

@@ -6,7 +6,7 @@
 #include "../lib/film.glsl"
 #include "../lib/specialization.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
   uint local = gl_GlobalInvocationID.x;

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/camera.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
   uint slot = gl_GlobalInvocationID.x;

@@ -8,7 +8,7 @@
 #include "../lib/pass.glsl"
 #include "../lib/queue.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 PathStep shade(uint slot) {
   if (INTEGRATOR == INTEGRATOR_path) {

@@ -4,7 +4,7 @@
 #include "../lib/bindings.glsl"
 #include "../lib/traversal.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
   uint i = gl_GlobalInvocationID.x;

@@ -6,7 +6,8 @@ FACET_SHARED_BEGIN
 
 FACET_CONSTANT uint WORKGROUP_SIZE = 64u;
 
-// Scene (read only). The first two are texel buffers, or storage buffers where a device's texel buffers are too small.
+// Scene (read only). The first two are texel buffers, or storage buffers where a device's texel buffers are
+// too small.
 FACET_CONSTANT uint BINDING_NODES = 0u;
 FACET_CONSTANT uint BINDING_TRIANGLES = 1u;
 FACET_CONSTANT uint BINDING_NORMAL_INDICES = 2u;

@@ -1,5 +1,5 @@
-// The records that host and kernels exchange. One definition each; a test compares the offsets of the compiled
-// kernels with C++'s.
+// The records that host and kernels exchange. One definition each; a test compares the offsets of the
+// compiled kernels with C++'s.
 #ifndef FACET_SHARED_RECORDS_H
 #define FACET_SHARED_RECORDS_H
 #include "types.h"
@@ -8,8 +8,8 @@ FACET_SHARED_BEGIN
 /// No triangle was hit; also: no emitter, no normals.
 FACET_CONSTANT uint NONE = 0xffffffffu;
 
-// A child reference of a BVH node: an inner node's index, or a leaf: bit 31, three bits of triangle count (0 to 6),
-// 28 bits of first triangle.
+// A child reference of a BVH node: an inner node's index, or a leaf: bit 31, three bits of triangle count (0
+// to 6), 28 bits of first triangle.
 FACET_CONSTANT uint REFERENCE_LEAF = 0x80000000u;
 FACET_CONSTANT uint REFERENCE_COUNT_SHIFT = 28u;
 FACET_CONSTANT uint REFERENCE_COUNT_MASK = 7u;
@@ -26,8 +26,9 @@ struct BvhNode {
   uvec4 upper;             // x, y: upper planes of y and z; z, w: free
 };
 
-/// A triangle in the order of the BVH's leaves, 48 bytes, fetched as three RGBA32UI texels: integers, since small ones kept in
-/// floats would be denormals, which a device may flush. x, y, z: bits of the vertex' position, world space.
+/// A triangle in the order of the BVH's leaves, 48 bytes, fetched as three RGBA32UI texels: integers, since
+/// small ones kept in floats would be denormals, which a device may flush. x, y, z: bits of the vertex'
+/// position, world space.
 struct TriangleRecord {
   uvec4 v0;  // w: the mesh's index
   uvec4 v1;  // w: the triangle's index in the scene, in order of reading
@@ -52,9 +53,10 @@ struct BsdfRecord {
 };
 
 struct EmitterRecord {
-  vec4 radiance;  // rgb, W sr^-1 m^-2; w: area in m^2 (area emitters)
-  uint type;      // id of emitter_list.h
-  uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's (docs/sampling.md)
+  vec4 radiance;        // rgb, W sr^-1 m^-2; w: area in m^2 (area emitters)
+  uint type;            // id of emitter_list.h
+  uint cumulative;      // the emitter is chosen by the words below this and not below its predecessor's
+                        // (docs/sampling.md)
   uint first_triangle;  // range of emitter_triangles
   uint triangle_count;
   float probability;  // of being chosen
@@ -80,7 +82,8 @@ struct EnvironmentRow {
 /// What stays the same for a whole render.
 struct FrameRecord {
   vec4 camera_origin;  // world space; w: nearClip
-  vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world space; w: farClip
+  vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world space; w:
+                       // farClip
   vec4 camera_dx;      // change of that direction per pixel to the right
   vec4 camera_dy;      // change per pixel downwards
   uint width;          // of the whole image, pixels
@@ -98,7 +101,8 @@ struct FrameRecord {
   uint filter_intervals;
   float filter_crossing;  // |offset| beyond which the filter is negative, pixels
   float filter_scale;     // integral of |f| over integral of f, along one axis
-  float square_scale;     // power of two that values are multiplied by before they are squared: squares stay in range
+  float square_scale;  // power of two that values are multiplied by before they are squared: squares stay in
+                       // range
 };
 
 struct RayRecord {
@@ -107,9 +111,9 @@ struct RayRecord {
 };
 
 struct HitRecord {
-  float t;  // in lengths of the ray's direction
+  float t;        // in lengths of the ray's direction
   uint triangle;  // NONE: a miss
-  float b1;  // barycentric weights of v1 and v2
+  float b1;       // barycentric weights of v1 and v2
   float b2;
 };
 
@@ -119,8 +123,8 @@ struct PathRecord {
 };
 
 struct ShadowRayRecord {
-  vec4 origin;     // world space; w: t_min
-  vec4 direction;  // world space; w: t_max
+  vec4 origin;           // world space; w: t_min
+  vec4 direction;        // world space; w: t_max
   float contribution_r;  // added to the path's radiance where nothing is in between
   float contribution_g;
   float contribution_b;
@@ -141,24 +145,25 @@ struct FilmRecord {
 
 /// A pass: which pixels and samples the slots stand for (push constants).
 struct PassConstants {
-  uint first_pixel;   // within the crop
+  uint first_pixel;  // within the crop
   uint pixel_count;
   uint first_sample;
   uint sample_count;  // per pixel
   uint bounce;        // 0: rays from the camera
   uint queue;         // 0 or 1: which half of the queues is read
-  uint stride;        // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
-  uint stage;         // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
-  uint film_first;    // crop pixel of the film's first record
-  uint film_begin;    // samples of the pass that film.comp adds: [film_begin, film_end)
+  uint
+      stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
+  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
+  uint film_first;  // crop pixel of the film's first record
+  uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
   uint unused0;
 };
 
 /// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.
-FACET_CONSTANT uint COUNTER_ACTIVE = 0u;       // two words: paths in each queue
-FACET_CONSTANT uint COUNTER_SHADOW = 2u;       // shadow rays waiting
-FACET_CONSTANT uint COUNTER_CLOSEST_RAYS = 3u; // rays traced since the pass began
+FACET_CONSTANT uint COUNTER_ACTIVE = 0u;        // two words: paths in each queue
+FACET_CONSTANT uint COUNTER_SHADOW = 2u;        // shadow rays waiting
+FACET_CONSTANT uint COUNTER_CLOSEST_RAYS = 3u;  // rays traced since the pass began
 FACET_CONSTANT uint COUNTER_ANY_RAYS = 4u;
 FACET_CONSTANT uint COUNTER_BOUND_HITS = 5u;
 FACET_CONSTANT uint COUNTER_BAD_SAMPLES = 6u;
