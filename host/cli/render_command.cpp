@@ -98,10 +98,9 @@ class RenderJob {
     });
     progress.finish();
     statistics_ = renderer.statistics();
-    const FilmData film = renderer.film();
+    const Film film = renderer.film();
     relmse_ = estimate_relmse(film);
-    image_ = develop(film, settings_.crop, scene_.camera.width, scene_.camera.height,
-                     options_.wants_variance_channels());
+    image_ = develop(film, options_.wants_variance_channels());
   }
 
   void write() {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/settings.h"
+#include "scene/settings.h"
 #include "scene/scene.h"
 
 namespace facet::cli {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "render/settings.h"
 #include "scene/scene.h"
+#include "scene/settings.h"
 #include "shared/bindings.h"
 
 namespace facet {

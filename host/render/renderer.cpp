@@ -33,6 +33,12 @@ std::uint32_t permutation_stride(std::uint32_t runs) {
   return stride;
 }
 
+/// The sums that a record keeps as hi + lo.
+std::array<double, 3> whole_sums(const shared::FilmRecord& r) {
+  return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g,
+          static_cast<double>(r.hi_b) + r.lo_b};
+}
+
 }  // namespace
 
 /// One pass: samples of pixels of one piece of the film.
@@ -43,7 +49,12 @@ struct Renderer::Wave {
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
                    const RenderSettings& settings)
-    : device_(device), settings_(settings), features_(features), square_scale_(packed.frame.square_scale) {
+    : device_(device),
+      settings_(settings),
+      features_(features),
+      square_scale_(packed.frame.square_scale),
+      window_{settings.crop.x0, settings.crop.y0, static_cast<int>(packed.frame.width),
+              static_cast<int>(packed.frame.height)} {
   const auto start = std::chrono::steady_clock::now();
   resources_ = std::make_unique<Resources>(device, packed, features, settings);
   warm_up();
@@ -66,6 +77,20 @@ void Renderer::warm_up() {
       gpu::barrier(c);
     }
   });
+}
+
+Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_pixel,
+                                   std::uint32_t pixel_count, std::uint32_t first_sample,
+                                   std::uint32_t sample_count) const {
+  Wave wave;
+  wave.film_piece = film_piece;
+  wave.constants.first_pixel = first_pixel;
+  wave.constants.pixel_count = pixel_count;
+  wave.constants.first_sample = first_sample;
+  wave.constants.sample_count = sample_count;
+  wave.constants.stride = permutation_stride(pixel_count / shared::WORKGROUP_SIZE);
+  wave.constants.film_first = resources_->film_pieces()[film_piece].first_pixel;
+  return wave;
 }
 
 void Renderer::run_wave(const Wave& wave) {
@@ -125,15 +150,7 @@ void Renderer::render(const ProgressCallback& progress) {
       for (const auto& [first, count] : r.pixel_ranges(piece)) {
         const std::uint32_t per_wave = std::max(1U, r.slot_count() / count);
         for (std::uint32_t k = 0; k < batch; k += per_wave) {
-          Wave wave;
-          wave.film_piece = piece;
-          wave.constants.first_pixel = first;
-          wave.constants.pixel_count = count;
-          wave.constants.first_sample = sample + k;
-          wave.constants.sample_count = std::min(per_wave, batch - k);
-          wave.constants.stride = permutation_stride(count / shared::WORKGROUP_SIZE);
-          wave.constants.film_first = r.film_pieces()[piece].first_pixel;
-          run_wave(wave);
+          run_wave(make_wave(piece, first, count, sample + k, std::min(per_wave, batch - k)));
           statistics_.render_seconds = seconds_since(start);
           if (!progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_))
             return;
@@ -144,9 +161,36 @@ void Renderer::render(const ProgressCallback& progress) {
   }
 }
 
-FilmData Renderer::film() const {
-  FilmData film = resources_->read_film();
-  film.square_scale = square_scale_;
+std::vector<vec3> Renderer::render_sample(std::uint32_t sample) {
+  const Resources& r = *resources_;
+  std::vector<vec3> radiances;
+  for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
+    for (const auto& [first, count] : r.pixel_ranges(piece)) {
+      Wave wave = make_wave(piece, first, count, sample, 1);
+      // Not permuted: slots in the order of the pixels.
+      wave.constants.stride = 1;
+      run_wave(wave);
+      for (const shared::PathRecord& path : r.read_paths(count)) radiances.emplace_back(path.radiance);
+    }
+  }
+  return radiances;
+}
+
+Film Renderer::film() const {
+  const auto [sums, squares] = resources_->read_film();
+  const Crop& crop = settings_.crop;
+  Film film = make_film(crop.x1 - crop.x0, crop.y1 - crop.y0, window_, !squares.empty());
+  // The squares are those of scaled values.
+  const double unscale = 1 / (static_cast<double>(square_scale_) * square_scale_);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    PixelSums& pixel = film.pixels[i];
+    pixel.values = whole_sums(sums[i]);
+    pixel.samples = sums[i].samples;
+    pixel.nonzero = sums[i].nonzero;
+    if (squares.empty()) continue;
+    pixel.squares = whole_sums(squares[i]);
+    for (double& s : pixel.squares) s *= unscale;
+  }
   return film;
 }
 

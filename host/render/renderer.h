@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "gpu/device.h"
+#include "image/film.h"
 #include "render/features.h"
-#include "render/film.h"
 #include "render/packed_scene.h"
 
 namespace facet {
@@ -39,7 +39,11 @@ class Renderer {
 
   [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
   /// The film so far.
-  [[nodiscard]] FilmData film() const;
+  [[nodiscard]] Film film() const;
+
+  /// Renders one more sample of every pixel of the crop; returns their radiances (W sr^-1 m^-2) before the
+  /// filter's weight, row by row.
+  [[nodiscard]] std::vector<vec3> render_sample(std::uint32_t sample);
 
   /// What the camera's rays of sample 0 hit, one record a pixel of the crop; for tests of traversal.
   [[nodiscard]] std::vector<shared::HitRecord> camera_hits();
@@ -50,6 +54,8 @@ class Renderer {
   struct Resources;
   struct Wave;
 
+  [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel, std::uint32_t pixel_count,
+                               std::uint32_t first_sample, std::uint32_t sample_count) const;
   void run_wave(const Wave& wave);
   void warm_up();
 
@@ -57,6 +63,7 @@ class Renderer {
   RenderSettings settings_;
   Features features_;
   float square_scale_;
+  Image::Window window_;
   RenderStatistics statistics_;
   std::unique_ptr<Resources> resources_;
 };

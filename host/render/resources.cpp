@@ -100,6 +100,14 @@ std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedSce
   return buffers;
 }
 
+/// The first records of a buffer.
+template <typename Record>
+std::vector<Record> read_records(const gpu::Buffer& buffer, std::uint32_t count) {
+  std::vector<Record> records(count);
+  buffer.download(std::as_writable_bytes(std::span(records)));
+  return records;
+}
+
 gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
   return {device, records * record_bytes, Usage::eStorageBuffer, "the paths in flight"};
 }
@@ -224,8 +232,8 @@ std::array<std::uint32_t, shared::COUNTER_WORDS> Renderer::Resources::read_count
   return words;
 }
 
-FilmData Renderer::Resources::read_film() const {
-  FilmData data;
+FilmRecords Renderer::Resources::read_film() const {
+  FilmRecords data;
   data.sums.resize(pixel_count_);
   if (variance_) data.squares.resize(pixel_count_);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -240,15 +248,15 @@ FilmData Renderer::Resources::read_film() const {
 }
 
 std::vector<shared::RayRecord> Renderer::Resources::read_rays(std::uint32_t count) const {
-  std::vector<shared::RayRecord> records(count);
-  rays_.download(std::as_writable_bytes(std::span(records)));
-  return records;
+  return read_records<shared::RayRecord>(rays_, count);
 }
 
 std::vector<shared::HitRecord> Renderer::Resources::read_hits(std::uint32_t count) const {
-  std::vector<shared::HitRecord> records(count);
-  hits_.download(std::as_writable_bytes(std::span(records)));
-  return records;
+  return read_records<shared::HitRecord>(hits_, count);
+}
+
+std::vector<shared::PathRecord> Renderer::Resources::read_paths(std::uint32_t count) const {
+  return read_records<shared::PathRecord>(paths_, count);
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> Renderer::Resources::pixel_ranges(

@@ -16,6 +16,12 @@ struct FilmPiece {
   std::uint32_t pixel_count = 0;
 };
 
+/// The film as the device keeps it.
+struct FilmRecords {
+  std::vector<shared::FilmRecord> sums;
+  std::vector<shared::FilmRecord> squares;  ///< empty unless the variance is kept
+};
+
 struct Renderer::Resources {
  public:
   Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
@@ -32,8 +38,9 @@ struct Renderer::Resources {
 
   [[nodiscard]] vk::Buffer counters() const { return counters_.handle(); }
   [[nodiscard]] std::array<std::uint32_t, shared::COUNTER_WORDS> read_counters() const;
-  [[nodiscard]] FilmData read_film() const;
+  [[nodiscard]] FilmRecords read_film() const;
   [[nodiscard]] std::vector<shared::RayRecord> read_rays(std::uint32_t count) const;
+  [[nodiscard]] std::vector<shared::PathRecord> read_paths(std::uint32_t count) const;
   [[nodiscard]] std::vector<shared::HitRecord> read_hits(std::uint32_t count) const;
 
   [[nodiscard]] std::uint32_t pixel_count() const { return pixel_count_; }

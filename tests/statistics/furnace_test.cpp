@@ -140,7 +140,7 @@ TEST(Film, sums_of_2_to_the_24_samples_do_not_stall) {
   RenderSettings settings = whole_image(scene, 1 << 24);
   settings.variance = false;
   const Rendered r = render(scene, settings);
-  EXPECT_EQ(r.film.sums[0].samples, 1U << 24U);
+  EXPECT_EQ(r.film.pixels[0].samples, 1U << 24U);
   EXPECT_FLOAT_EQ(r.image.at(0, 0, 0), 0.1F);
   EXPECT_FLOAT_EQ(r.image.at(0, 0, 1), 1.0F);
   EXPECT_FLOAT_EQ(r.image.at(0, 0, 2), 1e-20F);

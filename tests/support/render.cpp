@@ -42,8 +42,7 @@ Rendered render(const Scene& scene, const RenderSettings& settings) {
     result.statistics = renderer.statistics();
     result.film = renderer.film();
   }
-  const Camera& c = scene.camera;
-  result.image = develop(result.film, settings.crop, c.width, c.height, settings.variance);
+  result.image = develop(result.film, settings.variance);
   EXPECT_EQ(result.statistics.bad_samples, 0U);
   EXPECT_EQ(result.statistics.bound_hits, 0U);
   expect_silent_validation();

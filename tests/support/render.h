@@ -11,7 +11,7 @@ namespace facet::test {
 
 struct Rendered {
   Image image;  ///< with variance channels
-  FilmData film;
+  Film film;
   RenderStatistics statistics;
 };
 

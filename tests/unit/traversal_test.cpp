@@ -200,9 +200,9 @@ TEST(Traversal, big_and_tiny_triangles_together) {
   expect_right_hits(scene, 1e-4, 1000);
 }
 
-std::uint64_t count_nonzero(const FilmData& film) {
+std::uint64_t count_nonzero(const Film& film) {
   std::uint64_t nonzero = 0;
-  for (const shared::FilmRecord& pixel : film.sums) nonzero += pixel.nonzero;
+  for (const PixelSums& pixel : film.pixels) nonzero += pixel.nonzero;
   return nonzero;
 }
 

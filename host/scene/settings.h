@@ -1,11 +1,12 @@
 #pragma once
-// What a render is asked for beyond the scene.
+// What a render is asked for beyond the scene, whatever renders it.
 #include <cstdint>
 
 namespace facet {
 
-/// How half vectors of rough lobes are sampled.
-enum class LobeSampling { ndf, visible };
+/// How directions are sampled: rough lobes by half vectors from the NDF or from the visible normals; or, by
+/// the reference alone, every BSDF by the uniform hemisphere, which needs none of its sampling code.
+enum class LobeSampling { ndf, visible, uniform };
 
 /// Pixels [x0, x1) x [y0, y1) of the image.
 struct Crop {
@@ -22,9 +23,11 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares
+
+  // Of the kernels alone; no result depends on them.
   /// Fetch geometry from storage buffers even where texel buffers would do; for tests.
   bool force_storage_buffers = false;
-  /// Paths in flight, 0: chosen for the device. No result depends on it; for tests and measurements.
+  /// Paths in flight, 0: chosen for the device; for tests and measurements.
   std::uint32_t paths_in_flight = 0;
 };
 

@@ -1,0 +1,80 @@
+#include "image/film.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet {
+
+void PixelSums::add(const std::array<double, 3>& value) {
+  bool any = false;
+  for (std::size_t c = 0; c < 3; ++c) {
+    values[c] += value[c];
+    squares[c] += value[c] * value[c];
+    any = any || value[c] != 0;
+  }
+  ++samples;
+  if (any) ++nonzero;
+}
+
+Film make_film(int width, int height, const Image::Window& window, bool with_squares) {
+  Film film{width, height, window, with_squares, {}};
+  film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return film;
+}
+
+double variance_of_mean(double sum, double squares, double n) {
+  if (n < 2) return 0;
+  const double mean = sum / n;
+  return std::max(0.0, squares / n - mean * mean) / (n - 1);
+}
+
+Image develop(const Film& film, bool with_variance) {
+  std::vector<std::string> channels{"R", "G", "B"};
+  if (with_variance) {
+    for (const char* name : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"})
+      channels.emplace_back(name);
+  }
+  Image image(film.width, film.height, channels);
+  image.window = film.window;
+  auto pixel = film.pixels.begin();
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x, ++pixel) {
+      const double n = pixel->samples;
+      for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        image.at(x, y, c) = static_cast<float>(n > 0 ? pixel->values[k] / n : 0.0);
+        if (with_variance)
+          image.at(x, y, 3 + c) =
+              static_cast<float>(variance_of_mean(pixel->values[k], pixel->squares[k], n));
+      }
+      if (!with_variance) continue;
+      image.at(x, y, 6) = static_cast<float>(n);
+      image.at(x, y, 7) = static_cast<float>(pixel->nonzero);
+    }
+  }
+  return image;
+}
+
+double estimate_relmse(const Film& film) {
+  if (!film.has_squares) return 0;
+  const auto count = static_cast<double>(film.pixels.size());
+  double luminance_sum = 0;
+  for (const PixelSums& p : film.pixels) {
+    const auto& v = p.values;
+    if (p.samples > 0) luminance_sum += (0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2]) / p.samples;
+  }
+  const double hundredth = 0.01 * luminance_sum / count;
+  const double epsilon = hundredth * hundredth;
+  double total = 0;
+  for (const PixelSums& p : film.pixels) {
+    const double n = p.samples;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double variance = variance_of_mean(p.values[c], p.squares[c], n);
+      const double mean = n > 0 ? p.values[c] / n : 0;
+      if (variance > 0) total += variance / (mean * mean + epsilon);
+    }
+  }
+  return total / (3.0 * count);
+}
+
+}  // namespace facet
