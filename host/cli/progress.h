@@ -2,7 +2,7 @@
 // Progress on standard error: a bar on a terminal, plain lines otherwise.
 #include <chrono>
 
-#include "render/renderer.h"
+#include "scene/statistics.h"
 
 namespace facet::cli {
 

@@ -53,6 +53,22 @@ Crop parse_crop(const RenderOptions& options, const Camera& camera) {
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
 }
 
+/// Options that go with one backend only.
+void check_backend(const RenderOptions& o) {
+  const bool reference = o.backend == "reference";
+  if (!reference && !o.precision.empty())
+    throw InputError("--precision belongs to --backend reference: kernels compute in float");
+  if (!reference && o.sampling == "uniform")
+    throw InputError("--sampling uniform belongs to --backend reference");
+  if (reference && (!o.device.empty() || o.validate))
+    throw InputError("--device and --validate belong to --backend vulkan: the reference uses the CPU alone");
+}
+
+LobeSampling lobe_sampling(const std::string& name) {
+  if (name == "uniform") return LobeSampling::uniform;
+  return name == "ndf" ? LobeSampling::ndf : LobeSampling::visible;
+}
+
 }  // namespace
 
 bool RenderOptions::wants_variance_channels() const {
@@ -76,11 +92,19 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
   command.add_option("--sample-range", o.sample_range,
                      "Render only the samples A:B of each pixel (B excluded)");
   command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
+  command
+      .add_option("--backend", o.backend,
+                  "What renders: the kernels on a Vulkan device, or the reference on the CPU")
+      ->check(CLI::IsMember({"vulkan", "reference"}))
+      ->capture_default_str();
+  command.add_option("--precision", o.precision, "Precision of the reference (default: float)")
+      ->check(CLI::IsMember({"float", "double"}));
   command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
   command
       .add_option("--sampling", o.sampling,
-                  "Half vectors of rough lobes: from the ndf, or visible from the viewer")
-      ->check(CLI::IsMember({"ndf", "visible"}))
+                  "Half vectors of rough lobes: from the ndf, or visible from the viewer; uniform: the "
+                  "reference ignores what BSDFs know of sampling and takes the uniform hemisphere")
+      ->check(CLI::IsMember({"ndf", "visible", "uniform"}))
       ->capture_default_str();
   command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
   command
@@ -112,6 +136,7 @@ void apply_to_scene(const RenderOptions& o, Scene& scene) {
   if (scene.integrator.type.name.empty()) {
     throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator", o.scene));
   }
+  check_backend(o);
   if (o.sampler && *o.sampler != "independent")
     throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
   if (o.max_depth) scene.integrator.max_depth = *o.max_depth;
@@ -143,7 +168,7 @@ RenderSettings make_settings(const RenderOptions& o, const Scene& scene) {
     settings.end_sample = static_cast<std::uint32_t>(range[1]);
   }
   settings.seed = scene.seed;
-  settings.sampling = o.sampling == "ndf" ? LobeSampling::ndf : LobeSampling::visible;
+  settings.sampling = lobe_sampling(o.sampling);
   return settings;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/settings.h"
 #include "scene/scene.h"
+#include "scene/settings.h"
 
 namespace facet::cli {
 
@@ -22,6 +22,8 @@ struct RenderOptions {
   std::optional<std::uint32_t> seed;
   std::optional<std::string> sample_range;
   std::optional<std::string> pixel;
+  std::string backend = "vulkan";
+  std::string precision;
   std::string device;
   std::string sampling = "visible";
   std::string heuristic;

@@ -1,28 +1,14 @@
 #pragma once
 // Renders a scene on a device: wavefront path tracing in bounded passes.
-#include <functional>
 #include <memory>
 
 #include "gpu/device.h"
 #include "image/film.h"
 #include "render/features.h"
 #include "render/packed_scene.h"
+#include "scene/statistics.h"
 
 namespace facet {
-
-struct RenderStatistics {
-  std::uint64_t closest_rays = 0;
-  std::uint64_t any_rays = 0;
-  std::uint64_t samples = 0;      ///< finished, over all pixels
-  std::uint64_t bad_samples = 0;  ///< dropped: NaN, infinite or negative
-  std::uint64_t bound_hits = 0;   ///< traversals stopped by their bound
-  double compile_seconds = 0;     ///< of the kernels, by us and by the driver
-  double render_seconds = 0;
-  std::uint64_t device_bytes = 0;
-};
-
-/// Called after each pass with the share of the work done; returns whether to go on.
-using ProgressCallback = std::function<bool(double done, const RenderStatistics& statistics)>;
 
 /// A scene on a device, ready to be rendered once.
 class Renderer {

@@ -1,0 +1,113 @@
+#pragma once
+// The Beckmann microfacet distribution in terms of slopes: the NDF is that of a normal law of slopes of
+// variance alpha^2/2 along each axis. P. Beckmann, A. Spizzichino 1963; B. Walter et al. 2007; E. Heitz,
+// "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014.
+#include "reference/bsdf/normal_law.h"
+#include "reference/probe.h"
+#include "scene/settings.h"
+
+namespace facet::reference {
+
+template <typename Real>
+class Beckmann {
+ public:
+  Beckmann(Real alpha, LobeSampling sampling) : alpha_(alpha), visible_(sampling != LobeSampling::ndf) {}
+
+  /// D(h) in sr^-1 for a vector h of any length: the density of the slope -h.xy/h.z over cos^4.
+  template <typename Probe>
+  Real density(const Vec3<Real>& h, Probe& probe) const {
+    if (!(h.z > 0)) return 0;
+    const Real tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
+    const Real exponent = probe.nudged(tan2 / (alpha_ * alpha_));
+    // docs/sampling.md: D is 0 from an exponent of 87 on.
+    const auto margin = static_cast<double>(exponent) / 87 - 1;
+    if (probe.decide(DecisionKind::tail, 0, !(exponent < 87), margin)) return 0;
+    const Real slope_density = std::exp(-exponent) / (pi<Real> * alpha_ * alpha_);
+    return slope_density * (1 + tan2) * (1 + tan2);
+  }
+
+  /// Walter's rational G1. which: 0 for wi, 1 for wo.
+  template <typename Probe>
+  Real masking(const Vec3<Real>& w, std::uint64_t which, Probe& probe) const {
+    const Real b = probe.nudged(w.z / (alpha_ * std::hypot(w.x, w.y)));
+    const bool one =
+        probe.decide(DecisionKind::masking, which, b >= Real(1.6), static_cast<double>(b) / 1.6 - 1);
+    if (one) return 1;
+    const Real numerator = Real(3.535) * b + Real(2.181) * (b * b);
+    return numerator / (1 + Real(2.276) * b + Real(2.577) * (b * b));
+  }
+
+  /// G1 of the distribution itself, 1/(1 + Lambda): what normalises the visible normals.
+  Real exact_masking(const Vec3<Real>& w) const {
+    const Real b = w.z / (alpha_ * std::hypot(w.x, w.y));
+    if (!(b < 10)) return 1;
+    const Real gauss = std::exp(-b * b) * std::numbers::inv_sqrtpi_v<Real>;
+    return 1 / (1 + (gauss / b - std::erfc(b)) / 2);
+  }
+
+  /// Unit half vector by the chosen strategy.
+  template <typename Probe>
+  Vec3<Real> sample_half_vector(const Vec3<Real>& wo, Real u, Real v, Probe& probe) const {
+    return visible_ ? sample_visible(wo, u, v, probe) : sample_density(u, v);
+  }
+
+  /// Density of the direction wo reflected at the unit half vector h, sr^-1, where D(h) is already known.
+  Real reflected_pdf(const Vec3<Real>& wo, const Vec3<Real>& h, Real o_dot_h, Real d) const {
+    if (visible_) return exact_masking(wo) * d / (4 * wo.z);
+    return d * h.z / (4 * o_dot_h);
+  }
+
+  /// G (wo.h) D/(4 cos_i cos_o) cos_i over the density of the reflected direction: D cancels.
+  template <typename Probe>
+  Real reflected_weight(const Vec3<Real>& wo, const Vec3<Real>& wi, const Vec3<Real>& h, Real o_dot_h,
+                        Probe& probe) const {
+    const Real g = masking(wi, 0, probe) * masking(wo, 1, probe);
+    return visible_ ? g / exact_masking(wo) : g * o_dot_h / (wo.z * h.z);
+  }
+
+ private:
+  Vec3<Real> sample_density(Real u, Real v) const {
+    Real sine = 0;
+    Real cosine = 0;
+    sin_cos_turns(v, sine, cosine);
+    const Real tangent = alpha_ * std::sqrt(-std::log1p(-u));
+    return unit(Vec3<Real>(tangent * cosine, tangent * sine, 1));
+  }
+
+  template <typename Probe>
+  Vec3<Real> sample_visible(const Vec3<Real>& wo, Real u, Real v, Probe& probe) const {
+    constexpr Real least = Real(1) / 33554432;  // 2^-25
+    // Stretched to roughness 1, seen from w.
+    const Vec3<Real> w = probe.nudged(unit(Vec3<Real>(alpha_ * wo.x, alpha_ * wo.y, wo.z)));
+    const Real sine = std::hypot(w.x, w.y);
+    const Real ex = sine > 0 ? w.x / sine : Real(1);
+    const Real ey = sine > 0 ? w.y / sine : Real(0);
+    const VisibleSlopes<Real> slopes(sine, w.z);
+    const Real along = nudged_slope(slopes.quantile(std::max(u, least)), probe);
+    const Real across = nudged_slope(normal_quantile(std::max(v, least)), probe);
+    return unit(Vec3<Real>(-alpha_ * (ex * along - ey * across), -alpha_ * (ey * along + ex * across), 1));
+  }
+
+  /// Slopes carry an absolute error, that of the law's values near 1.
+  template <typename Probe>
+  static Real nudged_slope(Real x, Probe& probe) {
+    return x + (probe.nudged(Real(1)) - 1);
+  }
+
+  Real alpha_;
+  bool visible_;
+};
+
+/// A pair of directions at a rough surface. Half vectors found from directions are not normalised: each
+/// component of the sum is exact to half an ulp, and wo.h = |h|^2/2 does not cancel.
+template <typename Real>
+struct HalfVector {
+  Vec3<Real> sum;
+  Vec3<Real> unit_h;
+  Real cosine;  ///< wo.h/|h| = |h|/2
+
+  HalfVector(const Vec3<Real>& wo, const Vec3<Real>& wi)
+      : sum(wo + wi), unit_h(unit(sum)), cosine(std::min(std::sqrt(glm::dot(sum, sum)) / 2, Real(1))) {}
+};
+
+}  // namespace facet::reference

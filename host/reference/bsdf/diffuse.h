@@ -1,0 +1,34 @@
+#pragma once
+#include "reference/bsdf/sample.h"
+#include "scene/bsdf/diffuse.h"
+#include "scene/settings.h"
+
+namespace facet::reference {
+
+/// Lambert's reflection, f = albedo/pi.
+template <typename Real>
+class Diffuse {
+ public:
+  Diffuse(const bsdf::Diffuse& parameters, LobeSampling /*sampling*/) : albedo_(parameters.albedo) {}
+
+  template <typename Probe>
+  Vec3<Real> eval(const Vec3<Real>& /*wo*/, const Vec3<Real>& /*wi*/, Probe& /*probe*/) const {
+    return albedo_ / pi<Real>;
+  }
+
+  template <typename Probe>
+  Real pdf(const Vec3<Real>& /*wo*/, const Vec3<Real>& wi, Probe& /*probe*/) const {
+    return wi.z / pi<Real>;
+  }
+
+  template <typename Probe>
+  BsdfSample<Real> sample(const Vec3<Real>& /*wo*/, const BsdfNumbers<Real>& n, Probe& /*probe*/) const {
+    const Vec3<Real> wi = cosine_direction(n.u, n.v);
+    return {wi, wi.z / pi<Real>, albedo_};
+  }
+
+ private:
+  Vec3<Real> albedo_;
+};
+
+}  // namespace facet::reference

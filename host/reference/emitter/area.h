@@ -1,0 +1,71 @@
+#pragma once
+#include "reference/choice.h"
+#include "reference/emitter/sample.h"
+#include "reference/random.h"
+#include "reference/surface.h"
+
+namespace facet::reference {
+
+/// A mesh that emits to the side of its shading normals, sampled uniformly by area.
+template <typename Real>
+class AreaLight {
+ public:
+  AreaLight(const Scene& scene, const Geometry<Real>& geometry, const AreaEmitter& emitter)
+      : scene_(scene), geometry_(geometry), radiance_(emitter.radiance) {
+    const Mesh& mesh = scene.meshes[emitter.mesh];
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
+      const std::uint32_t place = geometry.places[geometry.first_place[emitter.mesh] + i];
+      if (place == none) continue;
+      triangles_.push_back(place);
+      areas.push_back(triangle_area(mesh, i));
+      area_ += areas.back();
+    }
+    by_area_ = Choice(areas);
+    power_ = std::numbers::pi * area_ * static_cast<double>(luminance(emitter.radiance));
+  }
+
+  /// Power in W, of white light: the weight of power selection.
+  [[nodiscard]] double power() const { return power_; }
+
+  /// Radiance towards -d.
+  template <typename Probe>
+  [[nodiscard]] Vec3<Real> emission(const Surface<Real>& s, const Vec3<Real>& d, Probe& probe) const {
+    const Real cosine = glm::dot(s.ns, d);
+    const bool bright = probe.decide(DecisionKind::emission, 0, cosine < 0, static_cast<double>(cosine));
+    return bright ? radiance_ : Vec3<Real>(0);
+  }
+
+  /// Density per solid angle of finding the point of s at a distance along d, sr^-1.
+  [[nodiscard]] Real pdf(const Surface<Real>& s, const Vec3<Real>& d, Real distance) const {
+    const Real projected = static_cast<Real>(area_) * std::abs(glm::dot(s.ng, d));
+    return projected > 0 ? distance * (distance / projected) : Real(0);
+  }
+
+  template <typename Probe>
+  [[nodiscard]] EmitterSample<Real> sample(const Vec3<Real>& from, const Block& block, Probe& probe) const {
+    const Real s = std::sqrt(1 - block.number<Real>(shared::EMITTER_U));
+    const Real v = block.number<Real>(shared::EMITTER_V);
+    const std::size_t chosen = by_area_.choose(block.word(shared::EMITTER_PRIMITIVE)).entry;
+    const Surface<Real> point =
+        surface_at(scene_, geometry_.triangles[triangles_[chosen]], s * (1 - v), s * v, probe);
+    const Vec3<Real> way = point.position - from;
+    EmitterSample<Real> sample;
+    sample.direction = probe.nudged(unit(way));
+    sample.pdf = pdf(point, sample.direction, glm::dot(way, sample.direction));
+    sample.radiance = emission(point, sample.direction, probe);
+    sample.end = point.origin_towards(-sample.direction, 1, probe);
+    return sample;
+  }
+
+ private:
+  const Scene& scene_;
+  const Geometry<Real>& geometry_;
+  Vec3<Real> radiance_;
+  std::vector<std::uint32_t> triangles_;
+  Choice by_area_;
+  double area_ = 0;
+  double power_ = 0;
+};
+
+}  // namespace facet::reference

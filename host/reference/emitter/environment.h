@@ -1,0 +1,108 @@
+#pragma once
+#include "reference/choice.h"
+#include "reference/emitter/sample.h"
+#include "reference/probe.h"
+#include "reference/random.h"
+#include "scene/scene.h"
+
+namespace facet::reference {
+
+/// Light from infinity by a latitude-longitude map, bilinear between texel centres; sampled by cells of equal
+/// angles (docs/sampling.md, "Environment").
+template <typename Real>
+class Environment {
+ public:
+  explicit Environment(const EnvironmentEmitter& map);
+
+  /// Mean luminance over the sphere.
+  [[nodiscard]] double mean_luminance() const { return mean_luminance_; }
+
+  /// Radiance from direction d and the density of sampling d.
+  template <typename Probe>
+  [[nodiscard]] Found<Real> find(const Vec3<Real>& d, Probe& probe) const {
+    const Place at = place_of(d);
+    const std::size_t x = cell(at.x, width_, 0, probe);
+    const std::size_t y = cell(at.y, height_, 1, probe);
+    return {radiance(at), density(x, y)};
+  }
+
+  template <typename Probe>
+  [[nodiscard]] EmitterSample<Real> sample(const Block& block, Probe& probe) const {
+    const Choice::Outcome row = rows_.choose(block.word(shared::EMITTER_V));
+    const Choice::Outcome column = columns_[row.entry].choose(block.word(shared::EMITTER_U));
+    const Real fy = fraction(row.fraction);
+    const Real fx = fraction(column.fraction);
+    const Real y = (1 - fy) * Real(heights_[row.entry]) + fy * Real(heights_[row.entry + 1]);
+    Real sine = 0;
+    Real cosine = 0;
+    sin_cos_turns(1 - (static_cast<Real>(column.entry) + fx) / static_cast<Real>(width_), sine, cosine);
+    const Real radius = std::sqrt(std::max((1 - y) * (1 + y), Real(0)));
+    EmitterSample<Real> s;
+    s.direction = probe.nudged(Vec3<Real>(radius * cosine, y, radius * sine));
+    s.radiance = radiance(place_of(s.direction));
+    s.pdf = density(column.entry, row.entry);
+    s.at_infinity = true;
+    return s;
+  }
+
+ private:
+  /// Image coordinates in texels.
+  struct Place {
+    Real x;
+    Real y;
+  };
+
+  static Real fraction(double f) { return std::min(static_cast<Real>(f), 1 - Real(1) / 16777216); }
+
+  [[nodiscard]] Place place_of(const Vec3<Real>& d) const {
+    const Real turns = std::atan2(d.z, d.x) / (2 * pi<Real>);
+    const Real v = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y) / pi<Real>;
+    return {(1 - (turns < 0 ? turns + 1 : turns)) * static_cast<Real>(width_),
+            (1 - v) * static_cast<Real>(height_)};
+  }
+
+  template <typename Probe>
+  static std::size_t cell(Real at, std::size_t count, std::uint64_t which, Probe& probe) {
+    const Real border = std::nearbyint(at);
+    const auto margin = static_cast<double>((at - border) / static_cast<Real>(count));
+    const bool beyond = probe.decide(DecisionKind::cell, which, at >= border, margin);
+    const Real index = beyond ? border : border - 1;
+    return static_cast<std::size_t>(std::clamp(index, Real(0), static_cast<Real>(count - 1)));
+  }
+
+  [[nodiscard]] Vec3<Real> texel(long long x, long long y) const {
+    const auto w = static_cast<long long>(width_);
+    const auto column = static_cast<std::size_t>((x % w + w) % w);
+    const auto row = static_cast<std::size_t>(std::clamp(y, 0LL, static_cast<long long>(height_) - 1));
+    return texels_[row * width_ + column];
+  }
+
+  [[nodiscard]] Vec3<Real> radiance(const Place& at) const {
+    const Real left = std::floor(at.x - Real(0.5));
+    const Real lower = std::floor(at.y - Real(0.5));
+    const Real fx = at.x - Real(0.5) - left;
+    const Real fy = at.y - Real(0.5) - lower;
+    const auto x = static_cast<long long>(left);
+    const auto y = static_cast<long long>(lower);
+    return (texel(x, y) * (1 - fx) + texel(x + 1, y) * fx) * (1 - fy) +
+           (texel(x, y + 1) * (1 - fx) + texel(x + 1, y + 1) * fx) * fy;
+  }
+
+  [[nodiscard]] Real density(std::size_t column, std::size_t row) const {
+    return static_cast<Real>(densities_[row * width_ + column]);
+  }
+
+  std::size_t width_;
+  std::size_t height_;
+  std::vector<Vec3<Real>> texels_;
+  std::vector<double> heights_;  ///< y of the rows' borders, height + 1
+  Choice rows_;
+  std::vector<Choice> columns_;
+  std::vector<double> densities_;  ///< of the cells, sr^-1
+  double mean_luminance_ = 0;
+};
+
+extern template class Environment<float>;
+extern template class Environment<double>;
+
+}  // namespace facet::reference

@@ -1,0 +1,23 @@
+#pragma once
+// What sampling an emitter gives.
+#include "reference/real.h"
+
+namespace facet::reference {
+
+template <typename Real>
+struct EmitterSample {
+  Vec3<Real> direction{0, 0, 1};  ///< unit, from the surface point
+  Vec3<Real> radiance{0};
+  Real pdf = 0;       ///< sr^-1
+  Vec3<Real> end{0};  ///< where the shadow ray ends, moved off the emitter; for emitters at a distance
+  bool at_infinity = false;
+};
+
+/// Emission found by a ray, and the density with which emitter sampling would have found it, sr^-1.
+template <typename Real>
+struct Found {
+  Vec3<Real> radiance{0};
+  Real pdf = 0;
+};
+
+}  // namespace facet::reference

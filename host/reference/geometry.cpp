@@ -1,0 +1,52 @@
+#include "reference/geometry.h"
+
+namespace facet::reference {
+
+namespace {
+
+/// Unit normal of a triangle; sizes that would under- or overflow in the products are taken out first.
+dvec3 winding_normal(const dvec3& a, const dvec3& b, const dvec3& c) {
+  return unit(glm::cross(unit(b - a), unit(c - a)));
+}
+
+}  // namespace
+
+template <typename Real>
+Geometry<Real>::Geometry(const Scene& scene) {
+  std::vector<Triangle<Real>> unordered;
+  std::vector<Box> boxes;
+  for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
+    const Mesh& mesh = scene.meshes[m];
+    first_place.push_back(places.size());
+    for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i) {
+      places.push_back(none);
+      if (!(triangle_area(mesh, i) > 0)) continue;
+      Triangle<Real> t;
+      Box box;
+      for (int k = 0; k < 3; ++k) {
+        const vec3& p = mesh.positions[mesh.position_indices[i][k]];
+        t.vertices[static_cast<std::size_t>(k)] = p;
+        box.add(p);
+        t.magnitude = std::max(t.magnitude, largest_component(Vec3<Real>(p)));
+      }
+      t.normal = winding_normal(dvec3(t.vertices[0]), dvec3(t.vertices[1]), dvec3(t.vertices[2]));
+      t.mesh = m;
+      t.index = i;
+      bounds.add(box);
+      boxes.push_back(box);
+      unordered.push_back(t);
+    }
+  }
+  tree = build_tree(boxes);
+  triangles.reserve(unordered.size());
+  for (const std::uint32_t i : tree.order) {
+    const Triangle<Real>& t = unordered[i];
+    places[first_place[t.mesh] + t.index] = static_cast<std::uint32_t>(triangles.size());
+    triangles.push_back(t);
+  }
+}
+
+template struct Geometry<float>;
+template struct Geometry<double>;
+
+}  // namespace facet::reference

@@ -1,0 +1,28 @@
+#include "reference/probe.h"
+
+#include <array>
+
+#include "shared/random_hash.h"
+
+namespace facet::reference {
+
+const char* decision_name(DecisionKind kind) {
+  constexpr std::array names{"edge", "order",   "range", "frame",       "horizon", "emission", "offset",
+                             "lobe", "masking", "tail",  "reflectance", "cell",    "roulette"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+bool Watch::decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin) {
+  const DecisionKey key{kind, ray_, item};
+  const auto forced = forced_.find(key);
+  if (forced != forced_.end()) outcome = forced->second;
+  decisions_[key] = {outcome, margin};
+  // The branch hash leaves out what is logged only because it is near: hits stand for themselves.
+  if (kind != DecisionKind::edge && kind != DecisionKind::order && kind != DecisionKind::range)
+    branches_.decide(kind, item, outcome, margin);
+  return outcome;
+}
+
+int Watch::direction() { return (shared::pcg4d({perturbation_, ++nudges_, 0, 0}).x & 1U) != 0 ? 1 : -1; }
+
+}  // namespace facet::reference

@@ -1,0 +1,125 @@
+#pragma once
+// What watches a sample while it is computed. Images are rendered unwatched; `facet parity` asks which
+// decisions a sample took, by how much they were decided, and what becomes of it when one falls the other
+// way.
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "reference/real.h"
+
+namespace facet::reference {
+
+/// Every kind of discrete decision that rounding can turn. The margin that goes with a decision is signed and
+/// relative: 1 is the size of the numbers that were compared.
+enum class DecisionKind : std::uint8_t {
+  edge,         ///< is the ray inside a triangle's edges: smallest barycentric weight
+  order,        ///< which of two triangles is nearer
+  range,        ///< does a hit lie within the ray's range
+  frame,        ///< which half of the sphere does the shading frame belong to: n.z
+  horizon,      ///< is a direction above the shaded side: its z
+  emission,     ///< does an emitter show its bright side: ns.d
+  offset,       ///< to which side of its surface does a ray leave: d.ng
+  lobe,         ///< which lobe is sampled: u - p
+  masking,      ///< is G1 1: b - 1.6
+  tail,         ///< is D zero: tan^2/alpha^2 - 87
+  reflectance,  ///< is reflection total
+  cell,         ///< in which cell of the environment's density lies a direction
+  roulette,     ///< does the path go on: u - q
+};
+
+[[nodiscard]] const char* decision_name(DecisionKind kind);
+
+/// One decision of a sample. ray: 2 (k - 1) for the path's ray to interaction k and what is decided there,
+/// one more for that interaction's shadow ray and emitter sample. item: which of several, for instance the
+/// triangle.
+struct DecisionKey {
+  DecisionKind kind{};
+  std::uint32_t ray = 0;
+  std::uint64_t item = 0;
+
+  auto operator<=>(const DecisionKey&) const = default;
+};
+
+struct Decision {
+  bool outcome = false;
+  double margin = 0;
+};
+
+/// Watches nothing and costs nothing.
+struct Unwatched {
+  static constexpr bool watches = false;
+
+  void at_ray(std::uint32_t /*ray*/) {}
+  void found(std::uint32_t /*triangle*/) {}
+  bool decide(DecisionKind /*kind*/, std::uint64_t /*item*/, bool outcome, double /*margin*/) {
+    return outcome;
+  }
+  template <typename Value>
+  Value nudged(const Value& v) {
+    return v;
+  }
+};
+
+/// Tells whether two runs took the same branches: a hash of all outcomes.
+struct BranchHash : Unwatched {
+  std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+
+  void mix(std::uint64_t word) {
+    hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
+    hash ^= hash >> 32U;
+  }
+  void found(std::uint32_t triangle) { mix(triangle); }
+  bool decide(DecisionKind kind, std::uint64_t item, bool outcome, double /*margin*/) {
+    mix((static_cast<std::uint64_t>(kind) << 2U) + (item << 8U) + (outcome ? 1U : 0U));
+    return outcome;
+  }
+};
+
+/// Outcomes that are to be taken whatever the numbers say.
+using ForcedOutcomes = std::map<DecisionKey, bool>;
+
+/// Logs every decision with its margin, may force outcomes, and may perturb: each vector that is nudged then
+/// moves by one ulp of its largest component, in directions that depend on the perturbation's number.
+class Watch {
+ public:
+  static constexpr bool watches = true;
+
+  /// perturbation 0: none.
+  Watch(std::uint32_t perturbation, const ForcedOutcomes& forced)
+      : perturbation_(perturbation), forced_(forced) {}
+
+  void at_ray(std::uint32_t ray) { ray_ = ray; }
+  void found(std::uint32_t triangle) { branches_.found(triangle); }
+  bool decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin);
+
+  template <typename Real>
+  Real nudged(Real x) {
+    return perturbation_ == 0 || !std::isfinite(x) ? x : x + static_cast<Real>(direction()) * ulp(x);
+  }
+  template <typename Real>
+  Vec3<Real> nudged(const Vec3<Real>& v) {
+    if (perturbation_ == 0) return v;
+    const Real step = ulp(largest_component(v));
+    const Real x = v.x + static_cast<Real>(direction()) * step;
+    const Real y = v.y + static_cast<Real>(direction()) * step;
+    return {x, y, v.z + static_cast<Real>(direction()) * step};
+  }
+
+  [[nodiscard]] const std::map<DecisionKey, Decision>& decisions() const { return decisions_; }
+  [[nodiscard]] std::uint64_t branches() const { return branches_.hash; }
+
+ private:
+  /// -1 or 1.
+  int direction();
+
+  std::uint32_t perturbation_;
+  const ForcedOutcomes& forced_;
+  std::uint32_t ray_ = 0;
+  std::uint32_t nudges_ = 0;
+  BranchHash branches_;
+  std::map<DecisionKey, Decision> decisions_;
+};
+
+}  // namespace facet::reference

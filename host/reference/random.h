@@ -1,0 +1,41 @@
+#pragma once
+// The numbers behind a sample's decisions (docs/sampling.md, "Numbers").
+#include <cstdint>
+
+#include "shared/dimensions.h"
+#include "shared/random_hash.h"
+
+namespace facet::reference {
+
+/// Which sample of which pixel.
+struct SampleId {
+  std::uint32_t pixel = 0;  ///< y * width + x of the whole image
+  std::uint32_t index = 0;
+  std::uint32_t seed = 0;
+};
+
+/// Four words, one for each component of a block of dimensions.
+struct Block {
+  shared::uvec4 words;
+
+  [[nodiscard]] std::uint32_t word(std::uint32_t component) const {
+    return words[static_cast<int>(component)];
+  }
+  /// A component as a number in [0, 1 - 2^-24].
+  template <typename Real>
+  [[nodiscard]] Real number(std::uint32_t component) const {
+    return static_cast<Real>(word(component) >> 8U) / Real(16777216);
+  }
+};
+
+[[nodiscard]] inline Block camera_block(const SampleId& id) {
+  return {shared::pcg4d({id.pixel, id.index, shared::BLOCK_CAMERA, id.seed})};
+}
+
+/// Block BOUNCE_EMITTER or BOUNCE_BSDF of interaction k = 1, 2, ...
+[[nodiscard]] inline Block bounce_block(const SampleId& id, std::uint32_t k, std::uint32_t which) {
+  const std::uint32_t block = shared::BLOCK_FIRST_BOUNCE + (k - 1) * shared::BLOCKS_PER_BOUNCE + which;
+  return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
+}
+
+}  // namespace facet::reference

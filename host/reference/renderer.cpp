@@ -1,0 +1,108 @@
+#include "reference/renderer.h"
+
+#include <atomic>
+#include <chrono>
+
+#include "core/parallel.h"
+#include "reference/tracer.h"
+
+namespace facet::reference {
+
+namespace {
+
+/// Pixels that a thread takes at a time.
+constexpr std::size_t pixels_at_a_time = 64;
+/// Samples a pass at most, over all pixels: between passes progress is told.
+constexpr std::uint64_t samples_per_pass = 1U << 18U;
+
+template <typename Real>
+bool is_good(const Vec3<Real>& radiance) {
+  for (int c = 0; c < 3; ++c) {
+    if (!(radiance[c] >= 0 && radiance[c] <= std::numeric_limits<Real>::max())) return false;
+  }
+  return true;
+}
+
+template <typename Real>
+class Pass {
+ public:
+  Pass(const World<Real>& world, const RenderSettings& settings, Film& film)
+      : world_(world), settings_(settings), film_(film) {}
+
+  void run(std::uint32_t first, std::uint32_t end) {
+    parallel_for(film_.pixels.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t stop) {
+      RayCounts counts;
+      std::uint64_t bad = 0;
+      for (std::size_t i = begin; i < stop; ++i) {
+        for (std::uint32_t sample = first; sample < end; ++sample) add_sample(i, sample, counts, bad);
+      }
+      closest_ += counts.closest;
+      any_ += counts.any;
+      bad_ += bad;
+    });
+  }
+
+  void tell(RenderStatistics& s) const {
+    s.closest_rays = closest_;
+    s.any_rays = any_;
+    s.bad_samples = bad_;
+  }
+
+ private:
+  void add_sample(std::size_t pixel, std::uint32_t sample, RayCounts& counts, std::uint64_t& bad) {
+    const int x = settings_.crop.x0 + static_cast<int>(pixel % static_cast<std::size_t>(film_.width));
+    const int y = settings_.crop.y0 + static_cast<int>(pixel / static_cast<std::size_t>(film_.width));
+    const auto number = static_cast<std::uint32_t>(y * world_.scene.camera.width + x);
+    const SampleId id{number, sample, settings_.seed};
+    Unwatched unwatched;
+    Tracer<Real, Unwatched> tracer(world_, id, unwatched);
+    const Vec3<Real> radiance = tracer.radiance(x, y);
+    counts.closest += tracer.counts().closest;
+    counts.any += tracer.counts().any;
+    if (!is_good(radiance)) {
+      ++bad;
+      return;
+    }
+    const Vec3<Real> value = radiance * world_.camera.filter_sample(id).weight;
+    film_.pixels[pixel].add({value.x, value.y, value.z});
+  }
+
+  const World<Real>& world_;
+  const RenderSettings& settings_;
+  Film& film_;
+  std::atomic<std::uint64_t> closest_{0};
+  std::atomic<std::uint64_t> any_{0};
+  std::atomic<std::uint64_t> bad_{0};
+};
+
+}  // namespace
+
+template <typename Real>
+Film render(const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress,
+            RenderStatistics& statistics) {
+  const World<Real> world(scene, settings.sampling);
+  const Crop& crop = settings.crop;
+  Film film = make_film(crop.x1 - crop.x0, crop.y1 - crop.y0,
+                        {crop.x0, crop.y0, scene.camera.width, scene.camera.height}, true);
+  const auto start = std::chrono::steady_clock::now();
+  const auto pixels = static_cast<std::uint64_t>(film.pixels.size());
+  const std::uint64_t total = pixels * (settings.end_sample - settings.first_sample);
+  Pass<Real> pass(world, settings, film);
+  for (std::uint32_t sample = settings.first_sample; sample < settings.end_sample;) {
+    const auto most = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / pixels));
+    const std::uint32_t end = sample + std::min(most, settings.end_sample - sample);
+    pass.run(sample, end);
+    statistics.samples += pixels * (end - sample);
+    pass.tell(statistics);
+    statistics.render_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!progress(static_cast<double>(statistics.samples) / static_cast<double>(total), statistics)) break;
+    sample = end;
+  }
+  return film;
+}
+
+template Film render<float>(const Scene&, const RenderSettings&, const ProgressCallback&, RenderStatistics&);
+template Film render<double>(const Scene&, const RenderSettings&, const ProgressCallback&, RenderStatistics&);
+
+}  // namespace facet::reference

@@ -1,0 +1,51 @@
+#pragma once
+// What a point of a triangle looks like.
+#include "reference/geometry.h"
+
+namespace facet::reference {
+
+template <typename Real>
+struct Surface {
+  Vec3<Real> position;
+  Vec3<Real> ng;       ///< geometric normal, unit, by the winding
+  Vec3<Real> ns;       ///< shading normal, unit
+  Real magnitude = 0;  ///< largest absolute coordinate of the triangle's vertices
+  std::uint32_t mesh = 0;
+
+  /// Where a ray that leaves in direction d starts (docs/sampling.md, "Ray offset"). which: number of the
+  /// decision.
+  template <typename Probe>
+  [[nodiscard]] Vec3<Real> origin_towards(const Vec3<Real>& d, std::uint64_t which, Probe& probe) const {
+    const Real cosine = glm::dot(d, ng);
+    const bool below = probe.decide(DecisionKind::offset, which, cosine < 0, static_cast<double>(cosine));
+    const Real distance = magnitude / 1048576;  // 16 * 2^-24
+    return below ? position - ng * distance : position + ng * distance;
+  }
+
+  /// The shading frame.
+  template <typename Probe>
+  [[nodiscard]] Frame<Real> frame(Probe& probe) const {
+    return {ns, probe.decide(DecisionKind::frame, 0, ns.z < 0, static_cast<double>(ns.z))};
+  }
+};
+
+template <typename Real, typename Probe>
+[[nodiscard]] Surface<Real> surface_at(const Scene& scene, const Triangle<Real>& triangle, Real b1, Real b2,
+                                       Probe& probe) {
+  const Real b0 = 1 - b1 - b2;
+  Surface<Real> s;
+  s.position =
+      probe.nudged(b0 * triangle.vertices[0] + b1 * triangle.vertices[1] + b2 * triangle.vertices[2]);
+  s.ng = s.ns = probe.nudged(triangle.normal);
+  s.magnitude = triangle.magnitude;
+  s.mesh = triangle.mesh;
+  const Mesh& mesh = scene.meshes[triangle.mesh];
+  if (mesh.normal_indices.empty() || mesh.normal_indices[triangle.index].x == none) return s;
+  const uvec3& n = mesh.normal_indices[triangle.index];
+  const Vec3<Real> sum = b0 * Vec3<Real>(mesh.normals[n.x]) + b1 * Vec3<Real>(mesh.normals[n.y]) +
+                         b2 * Vec3<Real>(mesh.normals[n.z]);
+  if (largest_component(sum) > 0) s.ns = probe.nudged(unit(sum));
+  return s;
+}
+
+}  // namespace facet::reference

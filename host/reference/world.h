@@ -1,0 +1,83 @@
+#pragma once
+// The scene in the reference's precision, with what is worked out once for all samples.
+#include <deque>
+#include <optional>
+
+#include "reference/bsdf/bsdf.h"
+#include "reference/camera.h"
+#include "reference/emitter/area.h"
+#include "reference/emitter/environment.h"
+
+namespace facet::reference {
+
+/// Keeps a reference to the scene, which must outlive it.
+template <typename Real>
+class World {
+ public:
+  World(const Scene& parsed, LobeSampling sampling) : scene(parsed), geometry(parsed), camera(parsed.camera) {
+    for (const Bsdf& b : parsed.bsdfs) bsdfs.emplace_back(b, sampling);
+    std::vector<double> weights;
+    for (const Emitter& emitter : parsed.emitters) {
+      const double power = add_emitter(emitter);
+      weights.push_back(parsed.emitter_selection == EmitterSelection::uniform && power > 0 ? 1 : power);
+    }
+    by_power_ = Choice(weights);
+  }
+
+  /// A direction from a point towards some emitter; the density includes the choice of the emitter.
+  template <typename Probe>
+  [[nodiscard]] EmitterSample<Real> sample_emitter(const Vec3<Real>& from, const Block& block,
+                                                   Probe& probe) const {
+    const std::size_t chosen = by_power_.choose(block.word(shared::EMITTER_CHOICE)).entry;
+    const auto& light = lights_[chosen];
+    EmitterSample<Real> s = light ? light->sample(from, block, probe) : environment_->sample(block, probe);
+    s.pdf *= static_cast<Real>(by_power_.probability(chosen));
+    return s;
+  }
+
+  /// What a ray in direction d finds on the surface that it hits at the given distance.
+  template <typename Probe>
+  [[nodiscard]] Found<Real> emission_of(const Surface<Real>& s, const Vec3<Real>& d, Real distance,
+                                        Probe& probe) const {
+    const std::uint32_t emitter = scene.meshes[s.mesh].emitter;
+    if (emitter == none) return {};
+    const AreaLight<Real>& light = *lights_[emitter];
+    return {light.emission(s, d, probe),
+            light.pdf(s, d, distance) * static_cast<Real>(by_power_.probability(emitter))};
+  }
+
+  /// What a ray finds that leaves the scene.
+  template <typename Probe>
+  [[nodiscard]] Found<Real> emission_from_afar(const Vec3<Real>& d, Probe& probe) const {
+    if (!environment_) return {};
+    Found<Real> found = environment_->find(d, probe);
+    found.pdf *= static_cast<Real>(by_power_.probability(environment_index_));
+    return found;
+  }
+
+  const Scene& scene;
+  Geometry<Real> geometry;
+  PerspectiveCamera<Real> camera;
+  std::vector<AnyBsdf<Real>> bsdfs;
+
+ private:
+  /// Returns its power.
+  double add_emitter(const Emitter& emitter) {
+    lights_.emplace_back();
+    if (const auto* area = std::get_if<AreaEmitter>(&emitter)) {
+      lights_.back().emplace(scene, geometry, *area);
+      return lights_.back()->power();
+    }
+    environment_.emplace(std::get<EnvironmentEmitter>(emitter));
+    environment_index_ = lights_.size() - 1;
+    const double radius = geometry.triangles.empty() ? 1 : glm::length(dvec3(geometry.bounds.extent())) / 2;
+    return 4 * pi<double> * pi<double> * radius * radius * environment_->mean_luminance();
+  }
+
+  std::deque<std::optional<AreaLight<Real>>> lights_;  ///< by emitter; empty for the environment
+  std::optional<Environment<Real>> environment_;
+  std::size_t environment_index_ = 0;
+  Choice by_power_;
+};
+
+}  // namespace facet::reference
