@@ -75,12 +75,8 @@ bool RenderOptions::wants_variance_channels() const {
   return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
 }
 
-void add_render_options(CLI::App& command, RenderOptions& o) {
+void add_scene_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
-  command
-      .add_option("-o,--output", o.outputs,
-                  "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
-      ->allow_extra_args(false);
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
   command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
   command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
@@ -88,10 +84,26 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       ->check(CLI::Range(-1, 1 << 30));
   command.add_option("--resolution", o.resolution, "Size of the image, WxH");
   command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
+  command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
   command.add_option("--seed", o.seed, "Seed of the random numbers");
   command.add_option("--sample-range", o.sample_range,
                      "Render only the samples A:B of each pixel (B excluded)");
-  command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
+  command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
+  command
+      .add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
+      ->check(CLI::IsMember({"uniform", "power"}));
+  command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
+  command.add_option("--json", o.json, "Write a report to this file, - for standard output");
+  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
+  command.add_flag("--strict", o.strict, "Warnings are errors");
+}
+
+void add_render_options(CLI::App& command, RenderOptions& o) {
+  add_scene_options(command, o);
+  command
+      .add_option("-o,--output", o.outputs,
+                  "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
+      ->allow_extra_args(false);
   command
       .add_option("--backend", o.backend,
                   "What renders: the kernels on a Vulkan device, or the reference on the CPU")
@@ -99,26 +111,18 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       ->capture_default_str();
   command.add_option("--precision", o.precision, "Precision of the reference (default: float)")
       ->check(CLI::IsMember({"float", "double"}));
-  command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
   command
       .add_option("--sampling", o.sampling,
                   "Half vectors of rough lobes: from the ndf, or visible from the viewer; uniform: the "
                   "reference ignores what BSDFs know of sampling and takes the uniform hemisphere")
       ->check(CLI::IsMember({"ndf", "visible", "uniform"}))
       ->capture_default_str();
-  command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
-  command
-      .add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
-      ->check(CLI::IsMember({"uniform", "power"}));
   command.add_option("--aov", o.aovs, "Further EXR channels: variance (of each pixel's mean)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"variance"}));
   command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")
       ->check(CLI::Range(-100.F, 100.F));
-  command.add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
-  command.add_flag("--strict", o.strict, "Warnings are errors");
   command.add_flag("--validate", o.validate,
                    "Turn the Vulkan validation layers on; any message of theirs fails the render");
 }

@@ -38,7 +38,10 @@ struct RenderOptions {
   [[nodiscard]] bool wants_variance_channels() const;
 };
 
-/// Adds every option to the command.
+/// Adds the options that name a scene and what of it is computed.
+void add_scene_options(CLI::App& command, RenderOptions& options);
+
+/// Adds every option of `facet render`.
 void add_render_options(CLI::App& command, RenderOptions& options);
 
 /// Overrides what the scene file says.

@@ -2,6 +2,7 @@
 // What watches a sample while it is computed. Images are rendered unwatched; `facet parity` asks which
 // decisions a sample took, by how much they were decided, and what becomes of it when one falls the other
 // way.
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <map>
@@ -42,6 +43,27 @@ struct DecisionKey {
   auto operator<=>(const DecisionKey&) const = default;
 };
 
+/// Parts of the renderer that a sample can need: what a fault in one of them has touched.
+enum class Part : std::uint8_t {
+  mesh,            ///< a hit on mesh number i
+  vertex_normals,  ///< shading with interpolated normals
+  bsdf_eval,       ///< value of the BSDF of type i, for an emitter sample
+  bsdf_sample,     ///< a direction sampled by the BSDF of type i
+  bsdf_pdf,        ///< density of the BSDF of type i, for a MIS weight
+  emitter_sample,  ///< a sample of emitter i
+  emission_found,  ///< emission of emitter i found by a BSDF sample, with its density
+  emission_seen,   ///< emission of emitter i seen by the camera
+  roulette,        ///< Russian roulette was played
+  shadow_ray,
+};
+
+struct Feature {
+  Part part{};
+  std::uint32_t index = 0;
+
+  auto operator<=>(const Feature&) const = default;
+};
+
 struct Decision {
   bool outcome = false;
   double margin = 0;
@@ -53,6 +75,7 @@ struct Unwatched {
 
   void at_ray(std::uint32_t /*ray*/) {}
   void found(std::uint32_t /*triangle*/) {}
+  void uses(Part /*part*/, std::size_t /*index*/) {}
   bool decide(DecisionKind /*kind*/, std::uint64_t /*item*/, bool outcome, double /*margin*/) {
     return outcome;
   }
@@ -62,10 +85,15 @@ struct Unwatched {
   }
 };
 
-/// Tells whether two runs took the same branches: a hash of all outcomes.
+/// Tells whether two runs took the same branches, by a hash of all outcomes, and what they used.
 struct BranchHash : Unwatched {
   std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+  std::vector<Feature> features;
 
+  void uses(Part part, std::size_t index) {
+    const Feature feature{part, static_cast<std::uint32_t>(index)};
+    if (std::find(features.begin(), features.end(), feature) == features.end()) features.push_back(feature);
+  }
   void mix(std::uint64_t word) {
     hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
     hash ^= hash >> 32U;
@@ -92,6 +120,7 @@ class Watch {
 
   void at_ray(std::uint32_t ray) { ray_ = ray; }
   void found(std::uint32_t triangle) { branches_.found(triangle); }
+  void uses(Part /*part*/, std::size_t /*index*/) {}
   bool decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin);
 
   template <typename Real>

@@ -41,6 +41,7 @@ template <typename Real, typename Probe>
   s.mesh = triangle.mesh;
   const Mesh& mesh = scene.meshes[triangle.mesh];
   if (mesh.normal_indices.empty() || mesh.normal_indices[triangle.index].x == none) return s;
+  probe.uses(Part::vertex_normals, 0);
   const uvec3& n = mesh.normal_indices[triangle.index];
   const Vec3<Real> sum = b0 * Vec3<Real>(mesh.normals[n.x]) + b1 * Vec3<Real>(mesh.normals[n.y]) +
                          b2 * Vec3<Real>(mesh.normals[n.z]);

@@ -66,6 +66,7 @@ class Tracer {
 
   [[nodiscard]] bool occluded(const Ray<Real>& ray) {
     ++counts_.any;
+    probe_.uses(Part::shadow_ray, 0);
     bool found = false;
     if constexpr (Probe::watches) {
       found = any_hit(world_.geometry, ray, probe_);
@@ -77,6 +78,7 @@ class Tracer {
   }
 
   [[nodiscard]] Surface<Real> surface_of(const Hit<Real>& hit) {
+    probe_.uses(Part::mesh, world_.geometry.triangles[hit.triangle].mesh);
     return surface_at(world_.scene, world_.geometry.triangles[hit.triangle], hit.b1, hit.b2, probe_);
   }
 
@@ -120,8 +122,12 @@ class Tracer {
     const EmitterSample<Real> e = world_.sample_emitter(s.position, block, probe_);
     const Vec3<Real> wi = probe_.nudged(at.frame.to_local(e.direction));
     if (!above(wi) || !(e.pdf > 0)) return Vec3<Real>(0);
+    probe_.uses(Part::bsdf_eval, at.bsdf.type());
     Vec3<Real> light = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (wi.z / e.pdf);
-    if (integrator_.type.material_sampling) light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
+    if (integrator_.type.material_sampling) {
+      probe_.uses(Part::bsdf_pdf, at.bsdf.type());
+      light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
+    }
     if (light == Vec3<Real>(0)) return light;
     Ray<Real> shadow{s.origin_towards(e.direction, 0, probe_), e.direction};
     if (!e.at_infinity) {
@@ -138,6 +144,7 @@ class Tracer {
   /// Whether a path goes on after interaction k; divides its throughput by the probability.
   [[nodiscard]] bool survives(Vec3<Real>& throughput, std::uint32_t k, Real u) {
     if (k < shared::ROULETTE_FIRST) return true;
+    probe_.uses(Part::roulette, 0);
     const Real largest = std::max({throughput.x, throughput.y, throughput.z});
     const Real q = std::min(Real(0.95), probe_.nudged(largest));
     throughput /= q;
@@ -146,8 +153,13 @@ class Tracer {
 
   /// What a ray finds: emission, weighted by how else it would have been found.
   [[nodiscard]] Vec3<Real> weighted(const Found<Real>& found, std::uint32_t k, Real pdf) const {
-    if (k == 1) return found.radiance;
+    if (found.emitter == none) return Vec3<Real>(0);
+    if (k == 1) {
+      probe_.uses(Part::emission_seen, found.emitter);
+      return found.radiance;
+    }
     if (!integrator_.type.material_sampling) return Vec3<Real>(0);
+    probe_.uses(Part::emission_found, found.emitter);
     if (!samples_emitters()) return found.radiance;
     return found.radiance * weight(pdf, found.pdf);
   }
@@ -190,6 +202,7 @@ class Tracer {
     const Block block = bounce_block(id_, k, shared::BOUNCE_BSDF);
     const BsdfNumbers<Real> numbers{block.number<Real>(shared::BSDF_LOBE), block.number<Real>(shared::BSDF_U),
                                     block.number<Real>(shared::BSDF_V)};
+    probe_.uses(Part::bsdf_sample, at.bsdf.type());
     BsdfSample<Real> sample = at.bsdf.sample(at.wo, numbers, probe_);
     sample.wi = probe_.nudged(sample.wi);
     if (!above(sample.wi)) return false;

@@ -29,6 +29,7 @@ class World {
   [[nodiscard]] EmitterSample<Real> sample_emitter(const Vec3<Real>& from, const Block& block,
                                                    Probe& probe) const {
     const std::size_t chosen = by_power_.choose(block.word(shared::EMITTER_CHOICE)).entry;
+    probe.uses(Part::emitter_sample, chosen);
     const auto& light = lights_[chosen];
     EmitterSample<Real> s = light ? light->sample(from, block, probe) : environment_->sample(block, probe);
     s.pdf *= static_cast<Real>(by_power_.probability(chosen));
@@ -42,7 +43,7 @@ class World {
     const std::uint32_t emitter = scene.meshes[s.mesh].emitter;
     if (emitter == none) return {};
     const AreaLight<Real>& light = *lights_[emitter];
-    return {light.emission(s, d, probe),
+    return {emitter, light.emission(s, d, probe),
             light.pdf(s, d, distance) * static_cast<Real>(by_power_.probability(emitter))};
   }
 
@@ -51,6 +52,7 @@ class World {
   [[nodiscard]] Found<Real> emission_from_afar(const Vec3<Real>& d, Probe& probe) const {
     if (!environment_) return {};
     Found<Real> found = environment_->find(d, probe);
+    found.emitter = environment_index_;
     found.pdf *= static_cast<Real>(by_power_.probability(environment_index_));
     return found;
   }
@@ -69,14 +71,14 @@ class World {
       return lights_.back()->power();
     }
     environment_.emplace(std::get<EnvironmentEmitter>(emitter));
-    environment_index_ = lights_.size() - 1;
+    environment_index_ = static_cast<std::uint32_t>(lights_.size() - 1);
     const double radius = geometry.triangles.empty() ? 1 : glm::length(dvec3(geometry.bounds.extent())) / 2;
     return 4 * pi<double> * pi<double> * radius * radius * environment_->mean_luminance();
   }
 
   std::deque<std::optional<AreaLight<Real>>> lights_;  ///< by emitter; empty for the environment
   std::optional<Environment<Real>> environment_;
-  std::size_t environment_index_ = 0;
+  std::uint32_t environment_index_ = none;
   Choice by_power_;
 };
 

@@ -15,6 +15,9 @@ class AnyBsdf {
   AnyBsdf(const Bsdf& parameters, LobeSampling sampling)
       : uniform_(sampling == LobeSampling::uniform), model_(make(parameters, sampling)) {}
 
+  /// Id of the shared list.
+  [[nodiscard]] std::size_t type() const { return model_.index(); }
+
   /// f(wo, wi), sr^-1; both above the surface.
   template <typename Probe>
   Vec3<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi, Probe& probe) const {

@@ -23,7 +23,7 @@ class Environment {
     const Place at = place_of(d);
     const std::size_t x = cell(at.x, width_, 0, probe);
     const std::size_t y = cell(at.y, height_, 1, probe);
-    return {radiance(at), density(x, y)};
+    return {none, radiance(at), density(x, y)};
   }
 
   template <typename Probe>

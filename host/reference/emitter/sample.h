@@ -1,6 +1,7 @@
 #pragma once
 // What sampling an emitter gives.
 #include "reference/real.h"
+#include "scene/scene.h"
 
 namespace facet::reference {
 
@@ -16,6 +17,7 @@ struct EmitterSample {
 /// Emission found by a ray, and the density with which emitter sampling would have found it, sr^-1.
 template <typename Real>
 struct Found {
+  std::uint32_t emitter = none;  ///< none: nothing emits there
   Vec3<Real> radiance{0};
   Real pdf = 0;
 };

@@ -1,0 +1,225 @@
+// facet parity: the kernels against the reference in two precisions, every difference explained.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/render_options.h"
+#include "cli/text_file.h"
+#include "cli/warnings.h"
+#include "image/files.h"
+#include "reference/parity.h"
+#include "render/renderer.h"
+#include "scene/reader.h"
+
+namespace facet::cli {
+
+namespace {
+
+constexpr int default_spp = 4;
+/// Diverged samples that are listed for people.
+constexpr std::size_t listed_samples = 10;
+constexpr std::size_t listed_suspects = 5;
+
+class ParityJob {
+ public:
+  explicit ParityJob(const RenderOptions& options) : options_(options) {}
+
+  ExitCode run() {
+    catch_interrupts();
+    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    load();
+    compare();
+    if (was_interrupted()) return ExitCode::interrupted;
+    if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
+    if (options_.json != "-") print();
+    return failings_.empty() ? ExitCode::done : ExitCode::check_failed;
+  }
+
+ private:
+  void load() {
+    Diagnostics diagnostics(options_.strict);
+    scene_ = read_scene(options_.scene, diagnostics);
+    apply_to_scene(options_, scene_);
+    if (!options_.spp) scene_.sample_count = default_spp;
+    settings_ = make_settings(options_, scene_);
+    warn_about_scene(scene_, diagnostics);
+    print_warnings(diagnostics);
+  }
+
+  void compare() {
+    const gpu::Instance instance(false);
+    gpu::Device device(instance, instance.choose(options_.device));
+    device_ = device.info();
+    reference::Tolerance tolerance;
+    // Vulkan allows division 2.5 ulp and square roots about 3, where lavapipe rounds correctly: each
+    // perturbation by one ulp then stands for three.
+    if (!device.is_cpu()) tolerance.spread_factor *= 3;
+    Renderer renderer(device, pack_scene(scene_), find_features(scene_, settings_), settings_);
+    Progress progress(options_.quiet, {});
+    report_ = reference::check_parity(
+        scene_, settings_, tolerance, [&](std::uint32_t sample) { return renderer.render_sample(sample); },
+        [&] { return renderer.film(); },
+        [&](double done) {
+          RenderStatistics statistics = renderer.statistics();
+          statistics.render_seconds = seconds_since_start();
+          progress.update(done, statistics);
+          return !was_interrupted();
+        });
+    progress.finish();
+    failings_ = report_.failings();
+    if (renderer.statistics().bound_hits > 0)
+      failings_.push_back(fmt::format("{} rays were stopped by the safety bound of traversal",
+                                      renderer.statistics().bound_hits));
+  }
+
+  /// The command that renders one sample again.
+  [[nodiscard]] std::string command_for(const reference::DivergedSample& d) const {
+    std::string command = fmt::format(
+        "facet render {} --pixel {},{} --sample-range {}:{} --seed {} "
+        "--integrator {} --max-depth {} --sampling {}",
+        options_.scene, d.x, d.y, d.sample, d.sample + 1, settings_.seed, scene_.integrator.type.name,
+        scene_.integrator.max_depth, options_.sampling);
+    if (options_.resolution) command += " --resolution " + *options_.resolution;
+    if (!options_.heuristic.empty()) command += " --heuristic " + options_.heuristic;
+    if (!options_.emitter_selection.empty()) command += " --emitter-selection " + options_.emitter_selection;
+    return command;
+  }
+
+  [[nodiscard]] std::string json_text() const {
+    const reference::ParityReport& r = report_;
+    nlohmann::ordered_json diverged = nlohmann::ordered_json::array();
+    for (const reference::DivergedSample& d : r.diverged) {
+      nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
+      for (std::size_t i = 0; i < d.turned.size(); ++i) {
+        const reference::TurnedDecision& t = d.turned[i];
+        decisions.push_back({{"kind", reference::decision_name(t.key.kind)},
+                             {"where", d.reasons[i]},
+                             {"interaction", t.key.ray / 2 + 1},
+                             {"shadow", t.key.ray % 2 == 1},
+                             {"margin", t.margin},
+                             {"spread", t.spread}});
+      }
+      diverged.push_back({{"pixel", {d.x, d.y}},
+                          {"sample", d.sample},
+                          {"kernels", {d.kernels.x, d.kernels.y, d.kernels.z}},
+                          {"reference", {d.reference.x, d.reference.y, d.reference.z}},
+                          {"explained", !d.turned.empty()},
+                          {"decisions", decisions}});
+    }
+    nlohmann::ordered_json suspects = nlohmann::ordered_json::array();
+    for (const reference::Suspect& s : r.suspects)
+      suspects.push_back(
+          {{"part", s.part}, {"score", s.score}, {"failing", s.failing}, {"passing", s.passing}});
+    const nlohmann::ordered_json json = {
+        {"scene", options_.scene},
+        {"device", device_.name},
+        {"driver", device_.driver},
+        {"integrator", scene_.integrator.type.name},
+        {"sampling", options_.sampling},
+        {"samples", r.samples},
+        {"tolerance", {{"relative", r.tolerance.relative}, {"spread_factor", r.tolerance.spread_factor}}},
+        {"code",
+         {{"identical_samples", r.identical},
+          {"identical_pixels", r.identical_pixels},
+          {"pixels", r.pixels},
+          {"ill_conditioned_samples", r.ill_conditioned},
+          {"largest_relative_difference", r.largest_difference},
+          {"percentile_99_9", r.percentile_difference},
+          {"diverged_samples", r.diverged.size()},
+          {"unexplained_samples", r.unexplained()},
+          {"film_difference", r.film_difference}}},
+        {"precision",
+         {{"same_branches", r.same_branches},
+          {"rms", r.precision_rms},
+          {"largest", r.largest_precision},
+          {"noise_1024", r.noise_1024},
+          {"block_z", r.block_z},
+          {"critical_z", r.critical_z}}},
+        {"bad_samples", {{"kernels", r.bad_kernel_samples}, {"reference", r.bad_reference_samples}}},
+        {"diverged", diverged},
+        {"suspects", suspects},
+        {"failings", failings_},
+        {"passed", failings_.empty()},
+    };
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+  void print() const {
+    const reference::ParityReport& r = report_;
+    const auto share = [](std::uint64_t part, std::uint64_t whole) {
+      return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 100.0;
+    };
+    fmt::print("{}: {}, {} sampling, {} samples on {}\n", options_.scene, scene_.integrator.type.name,
+               options_.sampling, r.samples, device_.name);
+    fmt::print("kernels against reference in float (tolerance {:g} |F| + {:g} s):\n", r.tolerance.relative,
+               r.tolerance.spread_factor);
+    fmt::print("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n",
+               share(r.identical, r.samples), share(r.identical_pixels, r.pixels));
+    fmt::print(
+        "  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they agree\n",
+        r.percentile_difference, r.largest_difference);
+    fmt::print("  within their spread only {} samples\n", r.ill_conditioned);
+    fmt::print("  diverged                 {} samples ({:.4f} %), {} unexplained\n", r.diverged.size(),
+               share(r.diverged.size(), r.samples), r.unexplained());
+    fmt::print("  film against its samples {:.2g}\n", r.film_difference);
+    fmt::print("reference in float against double:\n");
+    fmt::print("  same branches            {:.3f} % of samples\n", share(r.same_branches, r.samples));
+    fmt::print("  RMS difference           {:.2g}, {:.2g} of the noise of 1024 samples; {:.2g} at most\n",
+               r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0, r.largest_precision);
+    fmt::print("  means of 16x16 pixels    largest z {:.2f} of {:.2f}\n", r.block_z, r.critical_z);
+    print_diverged();
+    for (const std::string& line : failings_) fmt::print("FAILED: {}\n", line);
+    if (failings_.empty()) fmt::print("parity holds\n");
+  }
+
+  void print_diverged() const {
+    std::vector<reference::DivergedSample> list = report_.diverged;
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.turned.empty() > b.turned.empty(); });
+    for (std::size_t i = 0; i < std::min(list.size(), listed_samples); ++i) {
+      const reference::DivergedSample& d = list[i];
+      fmt::print("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x,
+                 d.y, d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y,
+                 d.reference.z);
+      if (d.turned.empty()) fmt::print("  UNEXPLAINED; again: {}\n", command_for(d));
+      for (const std::string& reason : d.reasons) fmt::print("  turned: {}\n", reason);
+    }
+    if (list.size() > listed_samples)
+      fmt::print("and {} more (--json lists all)\n", list.size() - listed_samples);
+    if (report_.suspects.empty()) return;
+    fmt::print("what the unexplained samples have in common (1: they all, and no other sample, use it):\n");
+    for (std::size_t i = 0; i < std::min(report_.suspects.size(), listed_suspects); ++i) {
+      const reference::Suspect& s = report_.suspects[i];
+      fmt::print("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing, s.passing);
+    }
+  }
+
+  const RenderOptions& options_;
+  Scene scene_;
+  RenderSettings settings_;
+  gpu::DeviceInfo device_;
+  reference::ParityReport report_;
+  std::vector<std::string> failings_;
+};
+
+}  // namespace
+
+void add_parity_command(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand(
+      "parity",
+      "Compare the kernels with the CPU reference in two precisions, sample by sample (4 samples a "
+      "pixel by default), and explain every difference; exits 1 where one cannot be explained");
+  add_scene_options(*command, *options);
+  command->add_option("--sampling", options->sampling, "How half vectors of rough lobes are sampled")
+      ->check(CLI::IsMember({"ndf", "visible"}))
+      ->capture_default_str();
+  command->callback([options, &action] { action = [options] { return ParityJob(*options).run(); }; });
+}
+
+}  // namespace facet::cli

@@ -1,0 +1,287 @@
+#include "reference/parity.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/type_precision.hpp>
+#include <mutex>
+#include <tuple>
+
+#include "core/parallel.h"
+#include "image/z_test.h"
+#include "reference/suspects.h"
+#include "reference/tracer.h"
+
+namespace facet::reference {
+
+namespace {
+
+constexpr std::size_t pixels_at_a_time = 64;
+constexpr int block_side = 16;
+constexpr double block_significance = 0.01;
+
+float largest_difference(const Vec3<float>& a, const Vec3<float>& b) { return largest_component(a - b); }
+
+bool equal_bits(const Vec3<float>& a, const Vec3<float>& b) {
+  return glm::floatBitsToUint(a) == glm::floatBitsToUint(b);
+}
+
+bool is_good(const Vec3<float>& v) {
+  return v.x >= 0 && v.y >= 0 && v.z >= 0 && std::isfinite(v.x + v.y + v.z);
+}
+
+/// Rounding of the filter weights and of the sum.
+constexpr double largest_film_difference = 1e-6;
+
+/// One sample of every pixel, in all three renderings.
+class Comparison {
+ public:
+  Comparison(const Scene& scene, const RenderSettings& settings, const Tolerance& tolerance)
+      : settings_(settings),
+        single_(scene, settings.sampling),
+        twice_(scene, settings.sampling),
+        single_film_(blank_film(scene, settings)),
+        twice_film_(single_film_),
+        kernel_film_(single_film_) {
+    report_.tolerance = tolerance;
+    report_.pixels = single_film_.pixels.size();
+  }
+
+  void compare(std::uint32_t sample, const std::vector<glm::vec3>& kernels) {
+    parallel_for(kernels.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t end) {
+      Share share;
+      for (std::size_t i = begin; i < end; ++i) compare_pixel(i, sample, kernels[i], share);
+      const std::scoped_lock lock(mutex_);
+      gather(share);
+    });
+  }
+
+  ParityReport finish(const Film& kernel_film) {
+    ParityReport& r = report_;
+    r.suspects = spectrum_.suspects(single_.scene);
+    if (!differences_.empty()) {
+      const auto rank =
+          differences_.begin() + static_cast<std::ptrdiff_t>((differences_.size() - 1) * 999 / 1000);
+      std::nth_element(differences_.begin(), rank, differences_.end());
+      r.percentile_difference = static_cast<double>(*rank);
+    }
+    std::sort(r.diverged.begin(), r.diverged.end(), [](const DivergedSample& a, const DivergedSample& b) {
+      return std::tie(a.sample, a.y, a.x) < std::tie(b.sample, b.y, b.x);
+    });
+    compare_films(kernel_film);
+    compare_precisions();
+    return std::move(report_);
+  }
+
+ private:
+  /// What one thread finds; the totals live in the report.
+  struct Share {
+    ParityReport counts;
+    std::vector<float> differences;
+    double squared_difference = 0;
+    Spectrum spectrum;
+  };
+
+  static Film blank_film(const Scene& scene, const RenderSettings& settings) {
+    const Crop& c = settings.crop;
+    return make_film(c.x1 - c.x0, c.y1 - c.y0, {c.x0, c.y0, scene.camera.width, scene.camera.height}, true);
+  }
+
+  void compare_pixel(std::size_t i, std::uint32_t sample, const Vec3<float>& g, Share& share) {
+    const auto width = static_cast<std::size_t>(single_film_.width);
+    const int x = settings_.crop.x0 + static_cast<int>(i % width);
+    const int y = settings_.crop.y0 + static_cast<int>(i / width);
+    const SampleId id{static_cast<std::uint32_t>(y * single_.scene.camera.width + x), sample, settings_.seed};
+    BranchHash f_branches;
+    BranchHash d_branches;
+    const Vec3<float> f = Tracer<float, BranchHash>(single_, id, f_branches).radiance(x, y);
+    const Vec3<double> d = Tracer<double, BranchHash>(twice_, id, d_branches).radiance(x, y);
+    add_to(single_film_.pixels[i], f, single_.camera.filter_sample(id).weight);
+    add_to(twice_film_.pixels[i], d, twice_.camera.filter_sample(id).weight);
+    add_to(kernel_film_.pixels[i], g, single_.camera.filter_sample(id).weight);
+
+    ParityReport& counts = share.counts;
+    ++counts.samples;
+    counts.bad_kernel_samples += is_good(g) ? 0 : 1;
+    counts.bad_reference_samples += is_good(f) ? 0 : 1;
+    if (f_branches.hash == d_branches.hash) {
+      ++counts.same_branches;
+      const Vec3<double> difference = Vec3<double>(f) - d;
+      share.squared_difference += glm::dot(difference, difference);
+      counts.largest_precision = std::max(counts.largest_precision, largest_component(difference));
+    }
+    compare_sample(x, y, id, g, f, f_branches, share);
+  }
+
+  void compare_sample(int x, int y, const SampleId& id, const Vec3<float>& g, const Vec3<float>& f,
+                      const BranchHash& branches, Share& share) const {
+    ParityReport& counts = share.counts;
+    if (equal_bits(g, f)) ++counts.identical;
+    const float size = largest_component(f);
+    const float difference = g == f ? 0 : largest_difference(g, f) / std::max(size, ulp(0.0F));
+    share.differences.push_back(difference);
+    bool explained = true;
+    if (agrees(g, f, Vec3<double>(0), report_.tolerance.relative)) {
+      counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
+    } else {
+      const Explanation e = explain(single_, x, y, id, g, report_.tolerance);
+      explained = e.explained();
+      if (e.agrees) {
+        ++counts.ill_conditioned;
+        counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
+      } else {
+        DivergedSample diverged{x, y, id.index, g, f, e.turned, {}};
+        for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(single_, t));
+        counts.diverged.push_back(std::move(diverged));
+      }
+    }
+    share.spectrum.add(branches.features, !explained);
+  }
+
+  template <typename Real>
+  static void add_to(PixelSums& pixel, const Vec3<Real>& radiance, Real weight) {
+    const Vec3<double> value = Vec3<double>(radiance) * static_cast<double>(weight);
+    if (std::isfinite(value.x + value.y + value.z)) pixel.add({value.x, value.y, value.z});
+  }
+
+  void gather(const Share& share) {
+    const ParityReport& s = share.counts;
+    ParityReport& r = report_;
+    r.samples += s.samples;
+    r.identical += s.identical;
+    r.ill_conditioned += s.ill_conditioned;
+    r.largest_difference = std::max(r.largest_difference, s.largest_difference);
+    r.diverged.insert(r.diverged.end(), s.diverged.begin(), s.diverged.end());
+    r.bad_kernel_samples += s.bad_kernel_samples;
+    r.bad_reference_samples += s.bad_reference_samples;
+    r.same_branches += s.same_branches;
+    r.largest_precision = std::max(r.largest_precision, s.largest_precision);
+    r.precision_rms += share.squared_difference;
+    differences_.insert(differences_.end(), share.differences.begin(), share.differences.end());
+    spectrum_.merge(share.spectrum);
+  }
+
+  /// The kernels' film against their own samples, added up here under the reference's filter.
+  void compare_films(const Film& film) {
+    const Image g = develop(film, false);
+    const Image f = develop(single_film_, false);
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+      const PixelSums& own = kernel_film_.pixels[i];
+      const PixelSums& kernels = film.pixels[i];
+      const auto x = static_cast<int>(i % static_cast<std::size_t>(film.width));
+      const auto y = static_cast<int>(i / static_cast<std::size_t>(film.width));
+      bool identical = true;
+      for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        // Filters with negative lobes cancel: the size of what was added is the square's root.
+        const double size = std::sqrt(own.squares[k] * std::max(1.0, static_cast<double>(own.samples)));
+        const double difference = std::abs(own.values[k] - kernels.values[k]);
+        if (difference > 0)
+          report_.film_difference =
+              std::max(report_.film_difference, difference / std::max(size, static_cast<double>(ulp(0.0F))));
+        identical = identical && g.at(x, y, c) == f.at(x, y, c);
+      }
+      if (identical) ++report_.identical_pixels;
+    }
+  }
+
+  void compare_precisions() {
+    ParityReport& r = report_;
+    if (r.same_branches > 0)
+      r.precision_rms = std::sqrt(r.precision_rms / (3 * static_cast<double>(r.same_branches)));
+    double variance = 0;
+    for (const PixelSums& p : single_film_.pixels) {
+      const double n = p.samples;
+      for (std::size_t c = 0; c < 3; ++c) variance += n * variance_of_mean(p.values[c], p.squares[c], n);
+    }
+    r.noise_1024 = std::sqrt(variance / (3 * static_cast<double>(r.pixels)) / 1024);
+    const int across = (single_film_.width + block_side - 1) / block_side;
+    const int down = (single_film_.height + block_side - 1) / block_side;
+    const double tests = 3.0 * across * down;
+    r.critical_z = two_sided_normal_quantile(1 - std::pow(1 - block_significance, 1 / tests));
+    for (int block = 0; block < across * down; ++block)
+      r.block_z = std::max(r.block_z, largest_z(block % across * block_side, block / across * block_side));
+  }
+
+  /// z of the means of F and D over the block at (x0, y0), the largest of the channels.
+  [[nodiscard]] double largest_z(int x0, int y0) const {
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double difference = 0;
+      double size = 0;
+      double variance = 0;
+      for (int y = y0; y < std::min(y0 + block_side, single_film_.height); ++y) {
+        for (int x = x0; x < std::min(x0 + block_side, single_film_.width); ++x) {
+          const auto i = static_cast<std::size_t>(y * single_film_.width + x);
+          for (const PixelSums* p : {&single_film_.pixels[i], &twice_film_.pixels[i]}) {
+            const double n = std::max(p->samples, 1U);
+            difference += (p == &single_film_.pixels[i] ? 1 : -1) * p->values[c] / n;
+            variance += variance_of_mean(p->values[c], p->squares[c], n);
+            size += std::abs(p->values[c]) / n;
+          }
+        }
+      }
+      // Without noise the two still differ by float's rounding of every sample.
+      const double deviation = std::sqrt(variance) + 1e-6 * size;
+      if (difference != 0) largest = std::max(largest, std::abs(difference) / deviation);
+    }
+    return largest;
+  }
+
+  const RenderSettings& settings_;
+  World<float> single_;
+  World<double> twice_;
+  Film single_film_;
+  Film twice_film_;
+  Film kernel_film_;
+  std::mutex mutex_;
+  ParityReport report_;
+  std::vector<float> differences_;
+  Spectrum spectrum_;
+};
+
+}  // namespace
+
+ParityReport check_parity(const Scene& scene, const RenderSettings& settings, const Tolerance& tolerance,
+                          const KernelSamples& kernel_samples, const KernelFilm& kernel_film,
+                          const ParityProgress& progress) {
+  Comparison comparison(scene, settings, tolerance);
+  const double total = settings.end_sample - settings.first_sample;
+  for (std::uint32_t sample = settings.first_sample; sample < settings.end_sample; ++sample) {
+    comparison.compare(sample, kernel_samples(sample));
+    if (!progress((sample - settings.first_sample + 1) / total)) break;
+  }
+  return comparison.finish(kernel_film());
+}
+
+std::uint64_t ParityReport::unexplained() const {
+  return static_cast<std::uint64_t>(std::count_if(diverged.begin(), diverged.end(),
+                                                  [](const DivergedSample& d) { return d.turned.empty(); }));
+}
+
+std::vector<std::string> ParityReport::failings() const {
+  std::vector<std::string> list;
+  if (unexplained() > 0)
+    list.push_back(fmt::format("{} samples differ and no turned decision explains them", unexplained()));
+  if (1000 * diverged.size() > samples)
+    list.push_back(fmt::format("{} of {} samples diverged, more than 0.1 %", diverged.size(), samples));
+  if (film_difference > largest_film_difference)
+    list.push_back(
+        fmt::format("the kernels' film differs from the sum of its samples by {:.2g}, more than {:.2g}",
+                    film_difference, largest_film_difference));
+  if (precision_rms > 0.01 * noise_1024)
+    list.push_back(
+        fmt::format("float differs from double by {:.2g} RMS, more than 0.01 of the noise of 1024 "
+                    "samples ({:.2g})",
+                    precision_rms, noise_1024));
+  if (block_z > critical_z)
+    list.push_back(
+        fmt::format("a block's means in float and double differ by {:.1f} standard errors, more than {:.1f}",
+                    block_z, critical_z));
+  if (bad_kernel_samples + bad_reference_samples > 0)
+    list.push_back(
+        fmt::format("{} samples of the kernels and {} of the reference are NaN, infinite or negative",
+                    bad_kernel_samples, bad_reference_samples));
+  return list;
+}
+
+}  // namespace facet::reference

@@ -1,0 +1,71 @@
+#pragma once
+// The kernels against the reference, sample by sample: G (kernels), F (reference in float), D (in double) of
+// the same numbers. G - F is what the code differs by, F - D what precision costs; noise cancels in both.
+#include <functional>
+
+#include "image/film.h"
+#include "reference/explain.h"
+
+namespace facet::reference {
+
+/// A sample beyond the tolerance.
+struct DivergedSample {
+  int x = 0;
+  int y = 0;
+  std::uint32_t sample = 0;
+  Vec3<float> kernels{0};
+  Vec3<float> reference{0};
+  std::vector<TurnedDecision> turned;
+  std::vector<std::string> reasons;  ///< the turned decisions in words; empty: unexplained
+};
+
+/// How much more often a part of the renderer stands in unexplained samples than in others: A. Ochiai's
+/// coefficient, as in spectrum-based fault localisation (R. Abreu et al. 2007); 1: in all of these and in no
+/// other.
+struct Suspect {
+  std::string part;
+  double score = 0;
+  std::uint64_t failing = 0;  ///< unexplained samples that use it
+  std::uint64_t passing = 0;  ///< other samples that use it
+};
+
+struct ParityReport {
+  Tolerance tolerance;
+  std::uint64_t samples = 0;
+  std::uint64_t identical = 0;        ///< samples equal in all bits
+  std::uint64_t ill_conditioned = 0;  ///< samples that agree by their spread only
+  double largest_difference = 0;      ///< |G - F| / |F| over samples that agree
+  double percentile_difference = 0;   ///< its 99.9th percentile over all samples
+  std::vector<DivergedSample> diverged;
+  std::vector<Suspect> suspects;  ///< of unexplained samples, the likeliest first
+  std::uint64_t bad_kernel_samples = 0;
+  std::uint64_t bad_reference_samples = 0;
+
+  double film_difference = 0;  ///< kernels' film against their own samples under the reference's filter
+  std::uint64_t identical_pixels = 0;
+  std::uint64_t pixels = 0;
+
+  std::uint64_t same_branches = 0;  ///< samples for which F and D decided alike
+  double precision_rms = 0;         ///< RMS of F - D over them
+  double largest_precision = 0;     ///< largest |F - D| over them, W sr^-1 m^-2
+  double noise_1024 = 0;            ///< RMS of the noise of 1024 samples a pixel
+  double block_z = 0;               ///< largest z of F against D over blocks of 16x16 pixels
+  double critical_z = 0;
+
+  [[nodiscard]] std::uint64_t unexplained() const;
+  /// What does not hold, a line each; empty: parity.
+  [[nodiscard]] std::vector<std::string> failings() const;
+};
+
+/// The kernels' radiances of one sample of every pixel of the crop, row by row.
+using KernelSamples = std::function<std::vector<glm::vec3>(std::uint32_t sample)>;
+/// The kernels' film after all samples.
+using KernelFilm = std::function<Film()>;
+using ParityProgress = std::function<bool(double done)>;
+
+/// Compares all samples that the settings name.
+[[nodiscard]] ParityReport check_parity(const Scene& scene, const RenderSettings& settings,
+                                        const Tolerance& tolerance, const KernelSamples& kernel_samples,
+                                        const KernelFilm& kernel_film, const ParityProgress& progress);
+
+}  // namespace facet::reference
