@@ -109,6 +109,7 @@ class ParityJob {
                           {"kernels", {d.kernels.x, d.kernels.y, d.kernels.z}},
                           {"reference", {d.reference.x, d.reference.y, d.reference.z}},
                           {"explained", !d.turned.empty()},
+                          {"decided_by_least", d.nearest},
                           {"decisions", decisions}});
     }
     nlohmann::ordered_json suspects = nlohmann::ordered_json::array();
@@ -186,7 +187,10 @@ class ParityJob {
       fmt::print("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x,
                  d.y, d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y,
                  d.reference.z);
-      if (d.turned.empty()) fmt::print("  UNEXPLAINED; again: {}\n", command_for(d));
+      if (d.turned.empty()) {
+        fmt::print("  UNEXPLAINED; again: {}\n", command_for(d));
+        fmt::print("  decided by least: {}\n", d.nearest);
+      }
       for (const std::string& reason : d.reasons) fmt::print("  turned: {}\n", reason);
     }
     if (list.size() > listed_samples)

@@ -12,14 +12,13 @@ constexpr std::uint32_t perturbation_count = 4;
 /// A decision that four perturbed runs did not move is still at rounding level within this margin: 4 ulps of
 /// the numbers compared.
 constexpr double least_margin = 4 * 1.1920929e-7;
-/// Decisions turned together at most, and attempts at most.
-constexpr std::size_t turned_limit = 3;
-constexpr int attempt_limit = 100;
+/// Decisions turned one after the other at most, and attempts at most.
+constexpr int step_limit = 4;
+constexpr int attempt_limit = 300;
 
 struct Run {
   Vec3<float> radiance{0};
   std::map<DecisionKey, Decision> decisions;
-  std::uint64_t branches = 0;
 };
 
 class Explainer {
@@ -31,37 +30,50 @@ class Explainer {
   Explanation explain() {
     Explanation result;
     result.agrees = try_forced(result);
-    if (!result.agrees) (void)search(result);
+    if (!decisions_.empty()) result.nearest = decisions_.front();
+    const std::vector<TurnedDecision> first = decisions_;
+    const Vec3<float> untouched = reference_;
+    // Few decisions before many.
+    for (int steps = 1; steps <= step_limit && !result.explained(); ++steps) {
+      decisions_ = first;
+      reference_ = untouched;
+      (void)search(steps, result);
+    }
     return result;
   }
 
  private:
-  [[nodiscard]] Run run(std::uint32_t perturbation) const {
-    Watch watch(perturbation, forced_);
+  [[nodiscard]] Run run(std::uint32_t perturbation, const ForcedOutcomes& forced) const {
+    Watch watch(perturbation, forced);
     Tracer<float, Watch> tracer(world_, id_, watch);
     const Vec3<float> radiance = tracer.radiance(x_, y_);
-    return {radiance, watch.decisions(), watch.branches()};
+    return {radiance, watch.decisions()};
   }
 
   /// Runs the sample, and perturbed, with what is forced now; whether it then is the kernels'. Keeps the
-  /// decisions that rounding could turn in `critical_`.
+  /// decisions, ranked, in `decisions_`.
   bool try_forced(Explanation& result) {
     ++attempts_;
-    const Run base = run(0);
+    const Run base = run(0, forced_);
+    reference_ = base.radiance;
+    // Perturbed runs are held to the same decisions: what they tell is how the value moves along these. Only
+    // where rounding is so amplified that a ray meets other triangles altogether do they part.
+    ForcedOutcomes same_branches = forced_;
+    for (const auto& [key, decision] : base.decisions) same_branches[key] = decision.outcome;
     std::vector<Run> perturbed;
-    for (std::uint32_t p = 1; p <= perturbation_count; ++p) perturbed.push_back(run(p));
+    for (std::uint32_t p = 1; p <= perturbation_count; ++p) perturbed.push_back(run(p, same_branches));
     result.spread = Vec3<double>(0);
     for (const Run& r : perturbed) {
-      if (r.branches != base.branches) continue;
       result.spread =
           glm::max(result.spread, glm::abs(Vec3<double>(r.radiance) - Vec3<double>(base.radiance)));
     }
-    find_critical(base, perturbed);
+    rank_decisions(base, perturbed);
     return agrees(kernels_, base.radiance, tolerance_.spread_factor * result.spread, tolerance_.relative);
   }
 
-  void find_critical(const Run& base, const std::vector<Run>& perturbed) {
-    critical_.clear();
+  /// Sorts the decisions, those decided by least, measured by their own rounding, first.
+  void rank_decisions(const Run& base, const std::vector<Run>& perturbed) {
+    decisions_.clear();
     for (const auto& [key, decision] : base.decisions) {
       if (forced_.contains(key)) continue;
       double spread = 0;
@@ -70,31 +82,51 @@ class Explainer {
         if (same != r.decisions.end())
           spread = std::max(spread, std::abs(same->second.margin - decision.margin));
       }
-      const double reach = std::max(tolerance_.spread_factor * spread, least_margin);
-      if (!(std::abs(decision.margin) > reach))
-        critical_.push_back({key, !decision.outcome, decision.margin, spread});
+      decisions_.push_back({key, !decision.outcome, decision.margin, spread});
     }
-    // What was decided by least, measured by its own rounding, is tried first.
-    const auto closeness = [](const TurnedDecision& t) {
-      return std::abs(t.margin) / std::max(t.spread, least_margin);
-    };
-    std::sort(critical_.begin(), critical_.end(),
-              [&](const TurnedDecision& a, const TurnedDecision& b) { return closeness(a) < closeness(b); });
+    std::stable_sort(decisions_.begin(), decisions_.end(),
+                     [&](const TurnedDecision& a, const TurnedDecision& b) { return ratio(a) < ratio(b); });
   }
 
-  /// Turns one more of the critical decisions, depth first: a turned one may bring others.
-  bool search(Explanation& result) {
-    if (result.turned.size() == turned_limit) return false;
-    const std::vector<TurnedDecision> candidates = critical_;
+  /// A decision's margin in units of what rounding can do to it; up to 1 it is at rounding level.
+  [[nodiscard]] double ratio(const TurnedDecision& t) const {
+    return std::abs(t.margin) / std::max(tolerance_.spread_factor * t.spread, least_margin);
+  }
+
+  /// Turns decisions at rounding level, a number of them one after the other: a turned one may bring others.
+  bool search(int steps, Explanation& result) {
+    const std::vector<TurnedDecision> candidates = decisions_;
+    const Vec3<float> before = reference_;
+    const std::size_t turned_before = result.turned.size();
     for (const TurnedDecision& candidate : candidates) {
-      if (attempts_ >= attempt_limit) return false;
-      forced_[candidate.key] = candidate.outcome;
-      result.turned.push_back(candidate);
-      if (try_forced(result) || search(result)) return true;
-      result.turned.pop_back();
-      forced_.erase(candidate.key);
+      if (!(ratio(candidate) <= 1) || attempts_ >= attempt_limit) return false;
+      turn(candidate, result);
+      if (candidate.key.kind == DecisionKind::edge) turn_beyond(candidate, candidates, result);
+      if (try_forced(result)) return true;
+      // A decision that changes nothing leads nowhere.
+      if (steps > 1 && reference_ != before && search(steps - 1, result)) return true;
+      for (std::size_t i = turned_before; i < result.turned.size(); ++i) forced_.erase(result.turned[i].key);
+      result.turned.resize(turned_before);
     }
     return false;
+  }
+
+  void turn(const TurnedDecision& decision, Explanation& result) {
+    forced_[decision.key] = decision.outcome;
+    result.turned.push_back(decision);
+  }
+
+  /// A ray that crosses an edge leaves one triangle and enters its neighbour: turns the nearest such decision
+  /// of the same ray.
+  void turn_beyond(const TurnedDecision& edge, const std::vector<TurnedDecision>& decisions,
+                   Explanation& result) {
+    for (const TurnedDecision& other : decisions) {
+      if (ratio(other) > 1) return;
+      if (other.key.kind != DecisionKind::edge || other.key.ray != edge.key.ray) continue;
+      if (other.key.item == edge.key.item || other.outcome == edge.outcome) continue;
+      turn(other, result);
+      return;
+    }
   }
 
   const World<float>& world_;
@@ -104,7 +136,8 @@ class Explainer {
   Vec3<float> kernels_;
   Tolerance tolerance_;
   ForcedOutcomes forced_;
-  std::vector<TurnedDecision> critical_;
+  std::vector<TurnedDecision> decisions_;
+  Vec3<float> reference_{0};  ///< of the last attempt
   int attempts_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace facet::reference {
 
 /// The rule of agreement: |G - F| <= relative |F| + spread_factor * s in every channel, s being the spread of
-/// F over perturbed runs that took the same branches.
+/// F over four perturbed runs that are held to F's decisions.
 struct Tolerance {
   double relative = 1e-5;
   double spread_factor = 8;
@@ -27,6 +27,8 @@ struct Explanation {
   bool agrees = false;
   /// Otherwise: the decisions that, turned, reproduce the kernels' sample; empty where none do.
   std::vector<TurnedDecision> turned;
+  /// The decision that was decided by least, measured by its spread, whether that is little enough or not.
+  std::optional<TurnedDecision> nearest;
   /// Spread of the reference's value, per channel.
   Vec3<double> spread{0};
 

@@ -129,7 +129,8 @@ class Comparison {
         ++counts.ill_conditioned;
         counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
       } else {
-        DivergedSample diverged{x, y, id.index, g, f, e.turned, {}};
+        DivergedSample diverged{x, y, id.index, g, f, e.turned, {}, {}};
+        if (e.nearest) diverged.nearest = describe(single_, *e.nearest);
         for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(single_, t));
         counts.diverged.push_back(std::move(diverged));
       }

@@ -17,6 +17,7 @@ struct DivergedSample {
   Vec3<float> reference{0};
   std::vector<TurnedDecision> turned;
   std::vector<std::string> reasons;  ///< the turned decisions in words; empty: unexplained
+  std::string nearest;               ///< the decision that was decided by least, in words
 };
 
 /// How much more often a part of the renderer stands in unexplained samples than in others: A. Ochiai's

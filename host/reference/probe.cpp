@@ -17,9 +17,6 @@ bool Watch::decide(DecisionKind kind, std::uint64_t item, bool outcome, double m
   const auto forced = forced_.find(key);
   if (forced != forced_.end()) outcome = forced->second;
   decisions_[key] = {outcome, margin};
-  // The branch hash leaves out what is logged only because it is near: hits stand for themselves.
-  if (kind != DecisionKind::edge && kind != DecisionKind::order && kind != DecisionKind::range)
-    branches_.decide(kind, item, outcome, margin);
   return outcome;
 }
 

@@ -119,7 +119,7 @@ class Watch {
       : perturbation_(perturbation), forced_(forced) {}
 
   void at_ray(std::uint32_t ray) { ray_ = ray; }
-  void found(std::uint32_t triangle) { branches_.found(triangle); }
+  void found(std::uint32_t /*triangle*/) {}
   void uses(Part /*part*/, std::size_t /*index*/) {}
   bool decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin);
 
@@ -137,7 +137,6 @@ class Watch {
   }
 
   [[nodiscard]] const std::map<DecisionKey, Decision>& decisions() const { return decisions_; }
-  [[nodiscard]] std::uint64_t branches() const { return branches_.hash; }
 
  private:
   /// -1 or 1.
@@ -147,7 +146,6 @@ class Watch {
   const ForcedOutcomes& forced_;
   std::uint32_t ray_ = 0;
   std::uint32_t nudges_ = 0;
-  BranchHash branches_;
   std::map<DecisionKey, Decision> decisions_;
 };
 

@@ -83,15 +83,16 @@ class Beckmann {
     const Real ex = sine > 0 ? w.x / sine : Real(1);
     const Real ey = sine > 0 ? w.y / sine : Real(0);
     const VisibleSlopes<Real> slopes(sine, w.z);
-    const Real along = nudged_slope(slopes.quantile(std::max(u, least)), probe);
+    const Real along = nudged_slope(slopes.quantile(probe.nudged(std::max(u, least))), probe);
     const Real across = nudged_slope(normal_quantile(std::max(v, least)), probe);
     return unit(Vec3<Real>(-alpha_ * (ex * along - ey * across), -alpha_ * (ey * along + ex * across), 1));
   }
 
-  /// Slopes carry an absolute error, that of the law's values near 1.
+  /// Slopes carry an error relative to 1 and to themselves.
   template <typename Probe>
   static Real nudged_slope(Real x, Probe& probe) {
-    return x + (probe.nudged(Real(1)) - 1);
+    const Real nudge = probe.nudged(Real(1)) - 1;
+    return x + nudge * (1 + std::abs(x));
   }
 
   Real alpha_;

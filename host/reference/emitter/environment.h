@@ -20,7 +20,7 @@ class Environment {
   /// Radiance from direction d and the density of sampling d.
   template <typename Probe>
   [[nodiscard]] Found<Real> find(const Vec3<Real>& d, Probe& probe) const {
-    const Place at = place_of(d);
+    const Place at = place_of(d, probe);
     const std::size_t x = cell(at.x, width_, 0, probe);
     const std::size_t y = cell(at.y, height_, 1, probe);
     return {none, radiance(at), density(x, y)};
@@ -39,7 +39,7 @@ class Environment {
     const Real radius = std::sqrt(std::max((1 - y) * (1 + y), Real(0)));
     EmitterSample<Real> s;
     s.direction = probe.nudged(Vec3<Real>(radius * cosine, y, radius * sine));
-    s.radiance = radiance(place_of(s.direction));
+    s.radiance = radiance(place_of(s.direction, probe));
     s.pdf = density(column.entry, row.entry);
     s.at_infinity = true;
     return s;
@@ -54,11 +54,13 @@ class Environment {
 
   static Real fraction(double f) { return std::min(static_cast<Real>(f), 1 - Real(1) / 16777216); }
 
-  [[nodiscard]] Place place_of(const Vec3<Real>& d) const {
+  template <typename Probe>
+  [[nodiscard]] Place place_of(const Vec3<Real>& d, Probe& probe) const {
     const Real turns = std::atan2(d.z, d.x) / (2 * pi<Real>);
     const Real v = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y) / pi<Real>;
-    return {(1 - (turns < 0 ? turns + 1 : turns)) * static_cast<Real>(width_),
-            (1 - v) * static_cast<Real>(height_)};
+    // Both are shares of the whole, and carry rounding errors of 1.
+    const Vec3<Real> shares = probe.nudged(Vec3<Real>(turns < 0 ? -turns : 1 - turns, 1 - v, 1));
+    return {shares.x * static_cast<Real>(width_), shares.y * static_cast<Real>(height_)};
   }
 
   template <typename Probe>
