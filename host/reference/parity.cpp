@@ -1,7 +1,5 @@
 #include "reference/parity.h"
 
-#include <fmt/format.h>
-
 #include <glm/gtc/type_precision.hpp>
 #include <mutex>
 #include <tuple>
@@ -29,21 +27,18 @@ bool is_good(const Vec3<float>& v) {
   return v.x >= 0 && v.y >= 0 && v.z >= 0 && std::isfinite(v.x + v.y + v.z);
 }
 
-/// Rounding of the filter weights and of the sum.
-constexpr double largest_film_difference = 1e-6;
-
 /// One sample of every pixel, in all three renderings.
 class Comparison {
  public:
   Comparison(const Scene& scene, const RenderSettings& settings, const Tolerance& tolerance)
       : settings_(settings),
-        single_(scene, settings.sampling),
-        twice_(scene, settings.sampling),
-        single_film_(blank_film(scene, settings)),
-        twice_film_(single_film_),
-        kernel_film_(single_film_) {
+        float_world_(scene, settings.sampling),
+        double_world_(scene, settings.sampling),
+        float_film_(blank_film(scene, settings)),
+        double_film_(float_film_),
+        kernel_film_(float_film_) {
     report_.tolerance = tolerance;
-    report_.pixels = single_film_.pixels.size();
+    report_.pixels = float_film_.pixels.size();
   }
 
   void compare(std::uint32_t sample, const std::vector<glm::vec3>& kernels) {
@@ -57,7 +52,7 @@ class Comparison {
 
   ParityReport finish(const Film& kernel_film) {
     ParityReport& r = report_;
-    r.suspects = spectrum_.suspects(single_.scene);
+    r.suspects = spectrum_.suspects(float_world_.scene);
     if (!differences_.empty()) {
       const auto rank =
           differences_.begin() + static_cast<std::ptrdiff_t>((differences_.size() - 1) * 999 / 1000);
@@ -87,17 +82,18 @@ class Comparison {
   }
 
   void compare_pixel(std::size_t i, std::uint32_t sample, const Vec3<float>& g, Share& share) {
-    const auto width = static_cast<std::size_t>(single_film_.width);
+    const auto width = static_cast<std::size_t>(float_film_.width);
     const int x = settings_.crop.x0 + static_cast<int>(i % width);
     const int y = settings_.crop.y0 + static_cast<int>(i / width);
-    const SampleId id{static_cast<std::uint32_t>(y * single_.scene.camera.width + x), sample, settings_.seed};
+    const SampleId id{static_cast<std::uint32_t>(y * float_world_.scene.camera.width + x), sample,
+                      settings_.seed};
     BranchHash f_branches;
     BranchHash d_branches;
-    const Vec3<float> f = Tracer<float, BranchHash>(single_, id, f_branches).radiance(x, y);
-    const Vec3<double> d = Tracer<double, BranchHash>(twice_, id, d_branches).radiance(x, y);
-    add_to(single_film_.pixels[i], f, single_.camera.filter_sample(id).weight);
-    add_to(twice_film_.pixels[i], d, twice_.camera.filter_sample(id).weight);
-    add_to(kernel_film_.pixels[i], g, single_.camera.filter_sample(id).weight);
+    const Vec3<float> f = Tracer<float, BranchHash>(float_world_, id, f_branches).radiance(x, y);
+    const Vec3<double> d = Tracer<double, BranchHash>(double_world_, id, d_branches).radiance(x, y);
+    add_to(float_film_.pixels[i], f, float_world_.camera.filter_sample(id).weight);
+    add_to(double_film_.pixels[i], d, double_world_.camera.filter_sample(id).weight);
+    add_to(kernel_film_.pixels[i], g, float_world_.camera.filter_sample(id).weight);
 
     ParityReport& counts = share.counts;
     ++counts.samples;
@@ -123,15 +119,15 @@ class Comparison {
     if (agrees(g, f, Vec3<double>(0), report_.tolerance.relative)) {
       counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
     } else {
-      const Explanation e = explain(single_, x, y, id, g, report_.tolerance);
+      const Explanation e = explain(float_world_, x, y, id, g, report_.tolerance);
       explained = e.explained();
       if (e.agrees) {
         ++counts.ill_conditioned;
         counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
       } else {
         DivergedSample diverged{x, y, id.index, g, f, e.turned, {}, {}};
-        if (e.nearest) diverged.nearest = describe(single_, *e.nearest);
-        for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(single_, t));
+        if (e.nearest) diverged.nearest = describe(float_world_, *e.nearest);
+        for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(float_world_, t));
         counts.diverged.push_back(std::move(diverged));
       }
     }
@@ -164,7 +160,7 @@ class Comparison {
   /// The kernels' film against their own samples, added up here under the reference's filter.
   void compare_films(const Film& film) {
     const Image g = develop(film, false);
-    const Image f = develop(single_film_, false);
+    const Image f = develop(float_film_, false);
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
       const PixelSums& own = kernel_film_.pixels[i];
       const PixelSums& kernels = film.pixels[i];
@@ -190,13 +186,19 @@ class Comparison {
     if (r.same_branches > 0)
       r.precision_rms = std::sqrt(r.precision_rms / (3 * static_cast<double>(r.same_branches)));
     double variance = 0;
-    for (const PixelSums& p : single_film_.pixels) {
+    double squares = 0;
+    for (const PixelSums& p : float_film_.pixels) {
       const double n = p.samples;
-      for (std::size_t c = 0; c < 3; ++c) variance += n * variance_of_mean(p.values[c], p.squares[c], n);
+      for (std::size_t c = 0; c < 3; ++c) {
+        variance += n * variance_of_mean(p.values[c], p.squares[c], n);
+        squares += p.squares[c] / std::max(n, 1.0);
+      }
     }
-    r.noise_1024 = std::sqrt(variance / (3 * static_cast<double>(r.pixels)) / 1024);
-    const int across = (single_film_.width + block_side - 1) / block_side;
-    const int down = (single_film_.height + block_side - 1) / block_side;
+    const double values = 3 * static_cast<double>(r.pixels);
+    r.noise_1024 = std::sqrt(variance / values / 1024);
+    r.image_rms = std::sqrt(squares / values);
+    const int across = (float_film_.width + block_side - 1) / block_side;
+    const int down = (float_film_.height + block_side - 1) / block_side;
     const double tests = 3.0 * across * down;
     r.critical_z = two_sided_normal_quantile(1 - std::pow(1 - block_significance, 1 / tests));
     for (int block = 0; block < across * down; ++block)
@@ -210,12 +212,12 @@ class Comparison {
       double difference = 0;
       double size = 0;
       double variance = 0;
-      for (int y = y0; y < std::min(y0 + block_side, single_film_.height); ++y) {
-        for (int x = x0; x < std::min(x0 + block_side, single_film_.width); ++x) {
-          const auto i = static_cast<std::size_t>(y * single_film_.width + x);
-          for (const PixelSums* p : {&single_film_.pixels[i], &twice_film_.pixels[i]}) {
+      for (int y = y0; y < std::min(y0 + block_side, float_film_.height); ++y) {
+        for (int x = x0; x < std::min(x0 + block_side, float_film_.width); ++x) {
+          const auto i = static_cast<std::size_t>(y * float_film_.width + x);
+          for (const PixelSums* p : {&float_film_.pixels[i], &double_film_.pixels[i]}) {
             const double n = std::max(p->samples, 1U);
-            difference += (p == &single_film_.pixels[i] ? 1 : -1) * p->values[c] / n;
+            difference += (p == &float_film_.pixels[i] ? 1 : -1) * p->values[c] / n;
             variance += variance_of_mean(p->values[c], p->squares[c], n);
             size += std::abs(p->values[c]) / n;
           }
@@ -229,10 +231,10 @@ class Comparison {
   }
 
   const RenderSettings& settings_;
-  World<float> single_;
-  World<double> twice_;
-  Film single_film_;
-  Film twice_film_;
+  World<float> float_world_;
+  World<double> double_world_;
+  Film float_film_;
+  Film double_film_;
   Film kernel_film_;
   std::mutex mutex_;
   ParityReport report_;
@@ -252,37 +254,6 @@ ParityReport check_parity(const Scene& scene, const RenderSettings& settings, co
     if (!progress((sample - settings.first_sample + 1) / total)) break;
   }
   return comparison.finish(kernel_film());
-}
-
-std::uint64_t ParityReport::unexplained() const {
-  return static_cast<std::uint64_t>(std::count_if(diverged.begin(), diverged.end(),
-                                                  [](const DivergedSample& d) { return d.turned.empty(); }));
-}
-
-std::vector<std::string> ParityReport::failings() const {
-  std::vector<std::string> list;
-  if (unexplained() > 0)
-    list.push_back(fmt::format("{} samples differ and no turned decision explains them", unexplained()));
-  if (1000 * diverged.size() > samples)
-    list.push_back(fmt::format("{} of {} samples diverged, more than 0.1 %", diverged.size(), samples));
-  if (film_difference > largest_film_difference)
-    list.push_back(
-        fmt::format("the kernels' film differs from the sum of its samples by {:.2g}, more than {:.2g}",
-                    film_difference, largest_film_difference));
-  if (precision_rms > 0.01 * noise_1024)
-    list.push_back(
-        fmt::format("float differs from double by {:.2g} RMS, more than 0.01 of the noise of 1024 "
-                    "samples ({:.2g})",
-                    precision_rms, noise_1024));
-  if (block_z > critical_z)
-    list.push_back(
-        fmt::format("a block's means in float and double differ by {:.1f} standard errors, more than {:.1f}",
-                    block_z, critical_z));
-  if (bad_kernel_samples + bad_reference_samples > 0)
-    list.push_back(
-        fmt::format("{} samples of the kernels and {} of the reference are NaN, infinite or negative",
-                    bad_kernel_samples, bad_reference_samples));
-  return list;
 }
 
 }  // namespace facet::reference

@@ -50,10 +50,15 @@ struct ParityReport {
   double precision_rms = 0;         ///< RMS of F - D over them
   double largest_precision = 0;     ///< largest |F - D| over them, W sr^-1 m^-2
   double noise_1024 = 0;            ///< RMS of the noise of 1024 samples a pixel
+  double image_rms = 0;             ///< RMS of the samples themselves, W sr^-1 m^-2
   double block_z = 0;               ///< largest z of F against D over blocks of 16x16 pixels
   double critical_z = 0;
 
   [[nodiscard]] std::uint64_t unexplained() const;
+  /// Diverged samples that the rule of 99.9 % allows, at least one.
+  [[nodiscard]] std::uint64_t diverged_allowed() const { return (samples + 999) / 1000; }
+  /// Bound of precision_rms: 0.01 of the noise; in an image without noise, two ulps.
+  [[nodiscard]] double precision_bound() const;
   /// What does not hold, a line each; empty: parity.
   [[nodiscard]] std::vector<std::string> failings() const;
 };

@@ -27,6 +27,7 @@ enum class DecisionKind : std::uint8_t {
   tail,         ///< is D zero: tan^2/alpha^2 - 87
   reflectance,  ///< is reflection total
   cell,         ///< in which cell of the environment's density lies a direction
+  texel,        ///< between which texels of the environment: its slope changes there
   roulette,     ///< does the path go on: u - q
 };
 
@@ -131,9 +132,13 @@ class Watch {
   Vec3<Real> nudged(const Vec3<Real>& v) {
     if (perturbation_ == 0) return v;
     const Real step = ulp(largest_component(v));
-    const Real x = v.x + static_cast<Real>(direction()) * step;
-    const Real y = v.y + static_cast<Real>(direction()) * step;
-    return {x, y, v.z + static_cast<Real>(direction()) * step};
+    Vec3<Real> moved = v;
+    for (int i = 0; i < 3; ++i) {
+      const auto away = static_cast<Real>(direction());
+      // What is exactly 0 is so by exact arithmetic, however it rounds elsewhere.
+      if (v[i] != 0) moved[i] += away * step;
+    }
+    return moved;
   }
 
   [[nodiscard]] const std::map<DecisionKey, Decision>& decisions() const { return decisions_; }

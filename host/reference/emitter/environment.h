@@ -21,9 +21,7 @@ class Environment {
   template <typename Probe>
   [[nodiscard]] Found<Real> find(const Vec3<Real>& d, Probe& probe) const {
     const Place at = place_of(d, probe);
-    const std::size_t x = cell(at.x, width_, 0, probe);
-    const std::size_t y = cell(at.y, height_, 1, probe);
-    return {none, radiance(at), density(x, y)};
+    return {none, radiance(at, probe), density(cell(at.x, width_, 0, probe), cell(at.y, height_, 1, probe))};
   }
 
   template <typename Probe>
@@ -39,7 +37,7 @@ class Environment {
     const Real radius = std::sqrt(std::max((1 - y) * (1 + y), Real(0)));
     EmitterSample<Real> s;
     s.direction = probe.nudged(Vec3<Real>(radius * cosine, y, radius * sine));
-    s.radiance = radiance(place_of(s.direction, probe));
+    s.radiance = radiance(place_of(s.direction, probe), probe);
     s.pdf = density(column.entry, row.entry);
     s.at_infinity = true;
     return s;
@@ -63,12 +61,17 @@ class Environment {
     return {shares.x * static_cast<Real>(width_), shares.y * static_cast<Real>(height_)};
   }
 
+  /// Largest integer up to `at`, as a decision.
   template <typename Probe>
-  static std::size_t cell(Real at, std::size_t count, std::uint64_t which, Probe& probe) {
+  static Real floor_of(Real at, std::size_t count, DecisionKind kind, std::uint64_t which, Probe& probe) {
     const Real border = std::nearbyint(at);
     const auto margin = static_cast<double>((at - border) / static_cast<Real>(count));
-    const bool beyond = probe.decide(DecisionKind::cell, which, at >= border, margin);
-    const Real index = beyond ? border : border - 1;
+    return probe.decide(kind, which, at >= border, margin) ? border : border - 1;
+  }
+
+  template <typename Probe>
+  static std::size_t cell(Real at, std::size_t count, std::uint64_t which, Probe& probe) {
+    const Real index = floor_of(at, count, DecisionKind::cell, which, probe);
     return static_cast<std::size_t>(std::clamp(index, Real(0), static_cast<Real>(count - 1)));
   }
 
@@ -79,9 +82,10 @@ class Environment {
     return texels_[row * width_ + column];
   }
 
-  [[nodiscard]] Vec3<Real> radiance(const Place& at) const {
-    const Real left = std::floor(at.x - Real(0.5));
-    const Real lower = std::floor(at.y - Real(0.5));
+  template <typename Probe>
+  [[nodiscard]] Vec3<Real> radiance(const Place& at, Probe& probe) const {
+    const Real left = floor_of(at.x - Real(0.5), width_, DecisionKind::texel, 0, probe);
+    const Real lower = floor_of(at.y - Real(0.5), height_, DecisionKind::texel, 1, probe);
     const Real fx = at.x - Real(0.5) - left;
     const Real fy = at.y - Real(0.5) - lower;
     const auto x = static_cast<long long>(left);

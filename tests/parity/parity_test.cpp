@@ -1,0 +1,103 @@
+// Every shipped scene and every integrator: the kernels' samples are the reference's, or differ for a reason.
+#include "support/parity.h"
+
+#include "support/scenes.h"
+
+namespace facet::test {
+namespace {
+
+void shrink(Scene& scene, int width) {
+  scene.camera.height = std::max(1, scene.camera.height * width / scene.camera.width);
+  scene.camera.width = width;
+}
+
+class ShippedScene : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedScene, holds_under_both_lobe_samplings) {
+  Scene scene = load_scene(GetParam());
+  shrink(scene, 60);
+  for (const LobeSampling sampling : {LobeSampling::visible, LobeSampling::ndf}) {
+    RenderSettings settings = whole_image(scene, 4);
+    settings.sampling = sampling;
+    expect_parity(scene, settings);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parity, ShippedScene, ::testing::ValuesIn(shipped_scenes()), test_name);
+
+class EachIntegrator : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EachIntegrator, holds_under_area_lights_and_under_a_sky) {
+  for (const char* name : {"cbox/cbox_substrate_mis.xml", "serapis/serapis_rough_mis.xml"}) {
+    Scene scene = load_scene(name);
+    shrink(scene, 60);
+    set_integrator(scene, GetParam());
+    expect_parity(scene, whole_image(scene, 4));
+  }
+}
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const IntegratorType& type : integrator_types()) names.emplace_back(type.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parity, EachIntegrator, ::testing::ValuesIn(integrator_names()), test_name);
+
+/// Conductor, substrate and diffuse balls under two lights of unequal power and a constant sky.
+Scene busy_scene() {
+  Scene scene = make_scene("path_mis");
+  const std::array<Bsdf, 3> bsdfs{bsdf::RoughConductor{Color(0.9F, 0.6F, 0.2F), 0.05F},
+                                  bsdf::RoughSubstrate{Color(0.3F, 0.2F, 0.7F), 0.2F},
+                                  bsdf::Diffuse{Color(0.5F, 0.7F, 0.3F)}};
+  for (std::size_t i = 0; i < bsdfs.size(); ++i) {
+    Mesh ball = make_sphere(3, false);
+    transform(ball, 0.4F, {static_cast<float>(i) - 1, -0.2F, 0.3F});
+    add_mesh(scene, ball, bsdfs[i]);
+  }
+  add_mesh(scene, make_quad({-2, -0.6F, -2}, {-2, -0.6F, 2}, {2, -0.6F, 2}, {2, -0.6F, -2}), bsdf::Diffuse{});
+  add_mesh(scene, make_quad({-1.5F, 1, -0.3F}, {-1, 1, -0.3F}, {-1, 1, 0.3F}, {-1.5F, 1, 0.3F}),
+           bsdf::Diffuse{}, Color(8, 4, 4));
+  add_mesh(scene, make_quad({1, 0.8F, -0.3F}, {1.2F, 0.8F, -0.3F}, {1.2F, 0.8F, 0}, {1, 0.8F, 0}),
+           bsdf::Diffuse{}, Color(2, 4, 30));
+  scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(0.2F, 0.3F, 0.4F)}});
+  set_camera(scene, 48, 70, {0, 0.3, -2}, {0, -0.2, 0.5});
+  return scene;
+}
+
+TEST(Parity, holds_for_every_choice_of_the_estimator) {
+  Scene scene = busy_scene();
+  for (const Heuristic heuristic : {Heuristic::balance, Heuristic::power}) {
+    for (const EmitterSelection selection : {EmitterSelection::power, EmitterSelection::uniform}) {
+      scene.integrator.heuristic = heuristic;
+      scene.emitter_selection = selection;
+      expect_parity(scene, whole_image(scene, 4));
+    }
+  }
+  for (const int depth : {0, 1, 2, 7}) {
+    scene.integrator.max_depth = depth;
+    expect_parity(scene, whole_image(scene, 4));
+  }
+}
+
+TEST(Parity, holds_for_every_filter) {
+  Scene scene = busy_scene();
+  for (const Filter& filter :
+       {Filter(GaussianFilter{}), Filter(MitchellFilter{}), Filter(TentFilter{}), Filter(BoxFilter{})}) {
+    scene.camera.filter = filter;
+    expect_parity(scene, whole_image(scene, 4));
+  }
+}
+
+TEST(Parity, holds_for_crops_seeds_and_later_samples) {
+  const Scene scene = busy_scene();
+  RenderSettings settings = whole_image(scene, 4);
+  settings.crop = {5, 9, 41, 30};
+  settings.seed = 4000000000U;
+  settings.first_sample = 1000003;
+  settings.end_sample = 1000007;
+  expect_parity(scene, settings);
+}
+
+}  // namespace
+}  // namespace facet::test

@@ -1,0 +1,53 @@
+#include "support/parity.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace facet::test {
+
+reference::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings) {
+  gpu::Device device = make_device();
+  Renderer renderer(device, pack_scene(scene), find_features(scene, settings), settings);
+  reference::ParityReport report = reference::check_parity(
+      scene, settings, {}, [&](std::uint32_t sample) { return renderer.render_sample(sample); },
+      [&] { return renderer.film(); }, [](double) { return true; });
+  EXPECT_EQ(renderer.statistics().bound_hits, 0U);
+  expect_silent_validation();
+  return report;
+}
+
+void expect_parity(const Scene& scene, const RenderSettings& settings) {
+  const reference::ParityReport report = compare_with_reference(scene, settings);
+  EXPECT_GT(report.samples, 0U);
+  for (const std::string& failing : report.failings()) ADD_FAILURE() << failing;
+  for (const reference::DivergedSample& d : report.diverged) {
+    if (d.turned.empty())
+      ADD_FAILURE() << "pixel " << d.x << ',' << d.y << " sample " << d.sample << ": kernels " << d.kernels.x
+                    << ' ' << d.kernels.y << ' ' << d.kernels.z << ", reference " << d.reference.x << ' '
+                    << d.reference.y << ' ' << d.reference.z << "; decided by least: " << d.nearest;
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, report.suspects.size()); ++i)
+    ADD_FAILURE() << "suspect: " << report.suspects[i].part << ", score " << report.suspects[i].score;
+}
+
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> names;
+  const std::filesystem::path root(FACET_SCENES);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.path().extension() == ".xml")
+      names.push_back(std::filesystem::relative(entry.path(), root).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+}  // namespace facet::test

@@ -1,0 +1,21 @@
+#pragma once
+// The kernels against the reference in tests.
+#include "reference/parity.h"
+#include "support/render.h"
+
+namespace facet::test {
+
+/// Renders with the kernels and compares with the reference; expects that no validation message was heard.
+[[nodiscard]] reference::ParityReport compare_with_reference(const Scene& scene,
+                                                             const RenderSettings& settings);
+
+/// Expects parity, and says what does not hold.
+void expect_parity(const Scene& scene, const RenderSettings& settings);
+
+/// Shipped scenes: "cbox/cbox_mis.xml", ..., sorted.
+[[nodiscard]] std::vector<std::string> shipped_scenes();
+
+/// The name of a test with a text parameter, of characters that gtest accepts.
+[[nodiscard]] std::string test_name(const ::testing::TestParamInfo<std::string>& info);
+
+}  // namespace facet::test
