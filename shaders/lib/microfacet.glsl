@@ -65,7 +65,7 @@ float beckmann_visible_slope(float s, float c, float u) {
     float residual = c * erfc_accurate(-x) + s * INV_SQRT_PI * gauss - target;
     lower = residual < 0.0 ? x : lower;
     upper = residual < 0.0 ? upper : x;
-    float newton = residual / (2.0 * INV_SQRT_PI * gauss * visible);
+    float newton = residual / (2.0 * (INV_SQRT_PI * gauss) * visible);
     float halley = newton / max(1.0 + newton * (x + 0.5 * s / visible), 0.5);
     float next = x - halley;
     // A step of zero stays at a border of the bracket, so the borders are inside.

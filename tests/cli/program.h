@@ -47,8 +47,13 @@ class CliTest : public ::testing::Test {
   }
 
   /// Starts the program in the folder, its output going to files there; `variables` join the environment.
-  pid_t start(const std::vector<std::string>& arguments,
-              const std::vector<std::string>& variables = {}) const {
+  pid_t start(std::vector<std::string> arguments, const std::vector<std::string>& variables = {}) const {
+    arguments.insert(arguments.begin(), FACET_PROGRAM);
+    return start_command(std::move(arguments), variables);
+  }
+
+  /// The same for any program, by name or path.
+  pid_t start_command(std::vector<std::string> words, const std::vector<std::string>& variables = {}) const {
     const std::filesystem::path out = outputs_.file("out");
     const std::filesystem::path err = outputs_.file("err");
     posix_spawn_file_actions_t actions;
@@ -58,16 +63,14 @@ class CliTest : public ::testing::Test {
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
     posix_spawn_file_actions_addchdir_np(&actions, folder_.path().c_str());
-    std::vector<std::string> words{FACET_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     // The first of two equal names counts.
     std::vector<std::string> environment = variables;
     for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
     pid_t child = -1;
-    const int error = ::posix_spawn(&child, FACET_PROGRAM, &actions, nullptr, pointers(words).data(),
-                                    pointers(environment).data());
+    const int error = ::posix_spawnp(&child, words[0].c_str(), &actions, nullptr, pointers(words).data(),
+                                     pointers(environment).data());
     posix_spawn_file_actions_destroy(&actions);
-    EXPECT_EQ(error, 0) << "cannot start " << FACET_PROGRAM;
+    EXPECT_EQ(error, 0) << "cannot start " << words[0];
     return child;
   }
 

@@ -32,9 +32,8 @@ void expect_silent_validation() {
   for (; heard < messages.size(); ++heard) ADD_FAILURE() << "validation: " << messages[heard];
 }
 
-Rendered render(const Scene& scene, const RenderSettings& settings) {
+Rendered render(const Scene& scene, const PackedScene& packed, const RenderSettings& settings) {
   gpu::Device device = make_device();
-  const PackedScene packed = pack_scene(scene);
   Rendered result;
   {
     Renderer renderer(device, packed, find_features(scene, settings), settings);

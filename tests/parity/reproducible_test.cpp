@@ -1,0 +1,193 @@
+// Every shipped scene gives the same image in every bit, whatever runs the kernels: any number of the
+// driver's threads, another version of the driver, any size of pass, and any part of the image or of the
+// samples at a time. Scenes are looked for when the test runs, so that a new one is covered at once.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "cli/program.h"
+#include "image/files.h"
+#include "support/render.h"
+
+namespace facet::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr int width = 48;
+constexpr int height = 36;
+
+/// Paths of the shipped scenes, relative to their folder.
+std::vector<std::string> shipped_scenes() {
+  const std::filesystem::path root = FACET_SCENES;
+  std::vector<std::string> scenes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.path().extension() == ".xml") scenes.push_back(entry.path().lexically_relative(root));
+  }
+  std::sort(scenes.begin(), scenes.end());
+  EXPECT_GE(scenes.size(), 20U);
+  return scenes;
+}
+
+std::string metadata(const Image& image, const std::string& name) {
+  for (const auto& [key, value] : image.metadata) {
+    if (key == name) return value;
+  }
+  return "no " + name;
+}
+
+/// Expects every channel to have equal bits, and the image to show something.
+void expect_equal_bits(const Image& a, const Image& b) {
+  ASSERT_EQ(a.channels(), b.channels());
+  ASSERT_EQ(a.channels().size(), 8U);
+  const auto count = static_cast<std::size_t>(width * height);
+  for (int c = 0; c < 8; ++c) {
+    std::size_t different = 0;
+    std::size_t nonzero = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = a.plane(c)[i];
+      different += std::bit_cast<std::uint32_t>(x) != std::bit_cast<std::uint32_t>(b.plane(c)[i]) ? 1 : 0;
+      nonzero += x != 0 ? 1 : 0;
+    }
+    const std::string& channel = a.channels()[static_cast<std::size_t>(c)];
+    EXPECT_EQ(different, 0U) << "values of " << channel << " differ, of " << count;
+    if (!channel.starts_with("variance")) {
+      EXPECT_GT(nonzero, 10U) << channel;
+    }
+  }
+}
+
+/// Renders shipped scenes with the program, as users do.
+class Reproducible : public CliTest {
+ protected:
+  /// One image for each list of words, which stand before the program's own. All run at the same time and
+  /// share their files of output, which stay empty.
+  std::vector<Image> render(const std::string& scene, const char* sampling,
+                            const std::vector<Words>& before) const {
+    std::vector<pid_t> children;
+    for (Words words : before) {
+      const Words own{FACET_PROGRAM,
+                      "render",
+                      std::string(FACET_SCENES) + "/" + scene,
+                      "--quiet",
+                      "--spp",
+                      "4",
+                      "--resolution",
+                      "48x36",
+                      "--aov",
+                      "variance",
+                      "--sampling",
+                      sampling,
+                      "-o",
+                      output(children.size())};
+      words.insert(words.end(), own.begin(), own.end());
+      children.push_back(start_command(words));
+    }
+    std::vector<Image> images;
+    for (const pid_t child : children) {
+      const Result result = finish(child);
+      EXPECT_EQ(result.code, 0);
+      EXPECT_EQ(result.err, "");
+      images.push_back(read_exr(folder_.file(output(images.size()))));
+      std::filesystem::remove(folder_.file(output(images.size() - 1)));
+    }
+    return images;
+  }
+
+ private:
+  static std::string output(std::size_t way) { return std::to_string(way) + ".exr"; }
+};
+
+TEST_F(Reproducible, any_number_of_driver_threads) {
+  for (const std::string& scene : shipped_scenes()) {
+    SCOPED_TRACE(scene);
+    const std::vector<Image> images =
+        render(scene, "visible", {{}, {"env", "LP_NUM_THREADS=1"}, {"env", "LP_NUM_THREADS=7"}});
+    expect_equal_bits(images[0], images[1]);
+    expect_equal_bits(images[0], images[2]);
+  }
+}
+
+TEST_F(Reproducible, another_version_of_the_driver) {
+  const Words second{"sh", FACET_SECOND_DRIVER_SCRIPT};
+  const Result check = finish(start_command({second[0], second[1], "--check"}));
+  if (check.code == 77) GTEST_SKIP() << check.err;
+  ASSERT_EQ(check.code, 0) << check.err;
+  for (const std::string& scene : shipped_scenes()) {
+    for (const char* sampling : {"visible", "ndf"}) {
+      SCOPED_TRACE(scene + " " + sampling);
+      const std::vector<Image> images = render(scene, sampling, {{}, second});
+      const std::string driver = metadata(images[0], "facet.driver");
+      if (metadata(images[1], "facet.driver") == driver) GTEST_SKIP() << "both drivers are " << driver;
+      expect_equal_bits(images[0], images[1]);
+    }
+  }
+}
+
+void expect_equal_bits(const FilmData& a, const FilmData& b) {
+  ASSERT_EQ(a.sums.size(), b.sums.size());
+  EXPECT_EQ(std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(shared::FilmRecord)), 0);
+  EXPECT_EQ(std::memcmp(a.squares.data(), b.squares.data(), a.squares.size() * sizeof(shared::FilmRecord)),
+            0);
+}
+
+double sum_of(const shared::FilmRecord& r, int channel) {
+  const std::array<float, 6> v{r.hi_r, r.lo_r, r.hi_g, r.lo_g, r.hi_b, r.lo_b};
+  const auto c = static_cast<std::size_t>(channel) * 2;
+  return static_cast<double>(v[c]) + v[c + 1];
+}
+
+/// Expects two renders of disjoint samples of a crop to sum to what the whole image holds there. Sums of two
+/// floats keep 2^-44 of a few samples; a sample that differs in its last bit shows at 2^-27.
+void expect_sum(const FilmData& whole, const FilmData& a, const FilmData& b, const Crop& crop) {
+  std::size_t i = 0;
+  int different = 0;
+  for (int y = crop.y0; y < crop.y1; ++y) {
+    for (int x = crop.x0; x < crop.x1; ++x, ++i) {
+      const shared::FilmRecord& all = whole.sums[static_cast<std::size_t>(y * width + x)];
+      ASSERT_EQ(all.samples, a.sums[i].samples + b.sums[i].samples);
+      ASSERT_EQ(all.nonzero, a.sums[i].nonzero + b.sums[i].nonzero);
+      for (int c = 0; c < 3; ++c) {
+        const double sum = sum_of(all, c);
+        const double parts = sum_of(a.sums[i], c) + sum_of(b.sums[i], c);
+        different += std::abs(sum - parts) > std::ldexp(std::abs(sum), -44) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(different, 0);
+}
+
+/// Renders shipped scenes through the library. With 6 samples, passes hold 1, 1, 2 and 2 of them; 1000 paths
+/// in flight cut the image into ranges, 2500 cut the passes of two samples.
+TEST(ReproduciblePasses, any_size_and_any_part_of_image_and_samples) {
+  for (const std::string& name : shipped_scenes()) {
+    SCOPED_TRACE(name);
+    Scene scene = load_scene(name);
+    scene.camera.width = width;
+    scene.camera.height = height;
+    const PackedScene packed = pack_scene(scene);
+    const auto film = [&](const RenderSettings& settings) { return render(scene, packed, settings).film; };
+
+    RenderSettings ndf = whole_image(scene, 6);
+    ndf.sampling = LobeSampling::ndf;
+    RenderSettings ndf_in_ranges = ndf;
+    ndf_in_ranges.paths_in_flight = 1000;
+    expect_equal_bits(film(ndf), film(ndf_in_ranges));
+
+    RenderSettings visible = whole_image(scene, 6);
+    const FilmData whole = film(visible);
+    visible.paths_in_flight = 2500;
+    expect_equal_bits(whole, film(visible));
+
+    RenderSettings part = whole_image(scene, 5);
+    part.crop = {7, 11, 29, 24};
+    RenderSettings rest = part;
+    rest.first_sample = 5;
+    rest.end_sample = 6;
+    expect_sum(whole, film(part), film(rest), part.crop);
+  }
+}
+
+}  // namespace
+}  // namespace facet::test
