@@ -20,6 +20,8 @@ bool Watch::decide(DecisionKind kind, std::uint64_t item, bool outcome, double m
   return outcome;
 }
 
-int Watch::direction() { return (shared::pcg4d({perturbation_, ++nudges_, 0, 0}).x & 1U) != 0 ? 1 : -1; }
+std::uint32_t Watch::random_bits(std::uint32_t component) const {
+  return shared::pcg4d({perturbation_, nudges_, component, 0}).x;
+}
 
 }  // namespace facet::reference

@@ -109,8 +109,9 @@ struct BranchHash : Unwatched {
 /// Outcomes that are to be taken whatever the numbers say.
 using ForcedOutcomes = std::map<DecisionKey, bool>;
 
-/// Logs every decision with its margin, may force outcomes, and may perturb: each vector that is nudged then
-/// moves by one ulp of its largest component, in directions that depend on the perturbation's number.
+/// Logs every decision with its margin, may force outcomes, and may perturb: each number that is nudged then
+/// moves by one ulp, each component of a vector by a whole or half an ulp of its largest: steps all alike
+/// would cancel too often where one quantity is nudged twice on its way.
 class Watch {
  public:
   static constexpr bool watches = true;
@@ -126,17 +127,21 @@ class Watch {
 
   template <typename Real>
   Real nudged(Real x) {
-    return perturbation_ == 0 || !std::isfinite(x) ? x : x + static_cast<Real>(direction()) * ulp(x);
+    if (perturbation_ == 0 || !std::isfinite(x)) return x;
+    ++nudges_;
+    return (random_bits(0) & 1U) != 0 ? x + ulp(x) : x - ulp(x);
   }
   template <typename Real>
   Vec3<Real> nudged(const Vec3<Real>& v) {
     if (perturbation_ == 0) return v;
     const Real step = ulp(largest_component(v));
     Vec3<Real> moved = v;
+    ++nudges_;
     for (int i = 0; i < 3; ++i) {
-      const auto away = static_cast<Real>(direction());
+      const std::uint32_t bits = random_bits(static_cast<std::uint32_t>(i));
+      const Real size = (bits & 2U) != 0 ? step : step / 2;
       // What is exactly 0 is so by exact arithmetic, however it rounds elsewhere.
-      if (v[i] != 0) moved[i] += away * step;
+      if (v[i] != 0) moved[i] += (bits & 1U) != 0 ? size : -size;
     }
     return moved;
   }
@@ -144,8 +149,8 @@ class Watch {
   [[nodiscard]] const std::map<DecisionKey, Decision>& decisions() const { return decisions_; }
 
  private:
-  /// -1 or 1.
-  int direction();
+  /// Random bits for a component of the present nudge.
+  [[nodiscard]] std::uint32_t random_bits(std::uint32_t component) const;
 
   std::uint32_t perturbation_;
   const ForcedOutcomes& forced_;
