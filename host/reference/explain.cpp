@@ -103,8 +103,9 @@ class Explainer {
       turn(candidate, result);
       if (candidate.key.kind == DecisionKind::edge) turn_beyond(candidate, candidates, result);
       if (try_forced(result)) return true;
-      // A decision that changes nothing leads nowhere.
-      if (steps > 1 && reference_ != before && search(steps - 1, result)) return true;
+      // A decision that changes nothing leads nowhere; but behind a triangle may lie another.
+      const bool leads_on = reference_ != before || candidate.key.kind == DecisionKind::edge;
+      if (steps > 1 && leads_on && search(steps - 1, result)) return true;
       for (std::size_t i = turned_before; i < result.turned.size(); ++i) forced_.erase(result.turned[i].key);
       result.turned.resize(turned_before);
     }

@@ -8,9 +8,9 @@ namespace facet::reference {
 namespace detail {
 
 /// Triangles are looked at when they are missed by less than this share of their size.
-inline constexpr double near_miss = 0.02;
+inline constexpr double near_miss = 0.2;
 /// Decisions with larger margins than these are not logged: rounding does not reach so far.
-inline constexpr double edge_log = 0.01;
+inline constexpr double edge_log = 0.1;
 inline constexpr double distance_log = 1e-3;
 
 /// All hits of the ray within its range under the decisions of the watch.
