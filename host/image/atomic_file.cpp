@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "image/files.h"
 
 namespace facet {
 
@@ -32,15 +31,13 @@ void AtomicFile::commit() {
   if (error) throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));
 }
 
-void check_writable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
-  const AtomicFile file(path);
-  if (!std::ofstream(file.temporary())) {
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const char* why = std::filesystem::is_directory(folder) ? "no permission" : "no such folder";
-    throw InputError(fmt::format("{}: cannot write: {}", path.string(), why));
-  }
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  std::ofstream out(file.temporary(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw InputError(fmt::format("{}: cannot write", path.string()));
+  file.commit();
 }
 
 }  // namespace facet
