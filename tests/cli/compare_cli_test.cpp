@@ -48,6 +48,14 @@ class CompareCliTest : public CliTest {
   }
 };
 
+TEST_F(CompareCliTest, HelpNamesEveryOption) {
+  const Result result = run({"compare", "--help"});
+  EXPECT_EQ(result.code, 0);
+  expect_words(result.out, {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
+                            "--min-identical", "--max-beyond", "--z-test", "--tolerance", "--significance",
+                            "--ppd", "--trim", "--json", "--html"});
+}
+
 TEST_F(CompareCliTest, PrintsATable) {
   write("a.exr", image(1));
   write("b.exr", image(0.5F));
