@@ -81,13 +81,12 @@ ExitCode compare(const CompareOptions& options) {
 
 /// Numbers from low to high; CLI11's own check lets NaN pass.
 CLI::Validator number_between(double low, double high, const std::string& what) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        const std::optional<double> value = parse_real(text);
-        return value && *value >= low && *value <= high ? std::string()
-                                                        : fmt::format("\"{}\" is not {}", text, what);
-      },
-      "");
+  const auto check = [=](const std::string& text) {
+    const std::optional<double> value = parse_real(text);
+    const bool fits = value && *value >= low && *value <= high;
+    return fits ? std::string() : fmt::format("\"{}\" is not {}", text, what);
+  };
+  return {check, ""};
 }
 
 void add_thresholds(CLI::App& command, CompareOptions& o) {

@@ -83,14 +83,6 @@ float half_scale(const Image& a, const Image& b) {
              : 1.F;
 }
 
-/// JSON that may stand inside a script element.
-std::string script_json(const nlohmann::json& json) {
-  std::string result;
-  for (const char c : json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
-    result += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return result;
-}
-
 class Page {
  public:
   Page(const CompareOptions& options, const Comparison& comparison) : o_(options), c_(comparison) {
@@ -113,7 +105,7 @@ class Page {
                           {"worst", worst()},
                           {"origins", origins()},
                           {"version", FACET_VERSION},
-                          {"data", script_json(data())}});
+                          {"data", data().dump()}});
   }
 
  private:
@@ -210,6 +202,7 @@ class Page {
     return html.empty() ? "<tr><td colspan=\"3\">The files do not say.</td></tr>" : html;
   }
 
+  /// For the script; no text from outside, which could end its element.
   [[nodiscard]] nlohmann::json data() const {
     const float scale = half_scale(c_.image, c_.reference);
     const Decades decades = decades_of(relative_);

@@ -95,6 +95,7 @@ std::vector<float> normalised(const std::vector<double>& kernel) {
   double negative = 0;
   for (const double w : kernel) (w > 0 ? positive : negative) += std::abs(w);
   std::vector<float> result;
+  result.reserve(kernel.size());
   for (const double w : kernel)
     result.push_back(static_cast<float>(w / (w > 0 ? positive : std::max(negative, 1e-300))));
   return result;

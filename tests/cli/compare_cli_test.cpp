@@ -164,6 +164,28 @@ TEST_F(CompareCliTest, PngsAreComparedAsLinear) {
   EXPECT_EQ(run({"compare", "a.png", "crop.exr", "--max-abs", "0.01"}).code, 0);
 }
 
+TEST_F(CompareCliTest, WritesASelfContainedPage) {
+  write("a.png", image(1));
+  write("b.exr", image(0.5F));
+  folder_.write("page.html", "old");
+  const Result result = run({"compare", "a.png", "b.exr", "--html", "page.html", "--json", "-"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(nlohmann::json::parse(result.out)["width"], 4);
+  const std::string page = folder_.read("page.html");
+  expect_words(page, {"<!DOCTYPE html>", "<title>a.png against b.exr</title>", "HDR-FLIP",
+                      "The files do not say", "<svg", "</html>"});
+  for (const char* reference :
+       {"src=", "href=", "url(", "http://", "https://", "@import", "{{", "nan", "facet render"})
+    EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+  // Equal images and images without a finite pixel have a page too.
+  write("nan.exr", image(NAN, NAN));
+  EXPECT_EQ(run({"compare", "b.exr", "b.exr", "--html", "page.html"}).code, 0);
+  expect_words(folder_.read("page.html"), {"No pixel differs"});
+  EXPECT_EQ(run({"compare", "nan.exr", "b.exr", "--html", "page.html"}).code, 0);
+  expect_words(folder_.read("page.html"), {"12 of 12 pixels are not finite"});
+}
+
 TEST_F(CompareCliTest, BadInput) {
   write("a.exr", image(1));
   write("b.exr", Image(3, 4, {"R", "G", "B"}));
