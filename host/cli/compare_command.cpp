@@ -9,8 +9,8 @@
 #include "cli/commands.h"
 #include "cli/compare_page.h"
 #include "cli/comparison.h"
+#include "cli/text_file.h"
 #include "core/text.h"
-#include "image/atomic_file.h"
 #include "image/files.h"
 
 namespace facet::cli {
@@ -45,6 +45,7 @@ void check_outputs(const CompareOptions& options) {
     return whole(a) == whole(b);
   };
   if (json_file) check_writable(options.json);
+  if (options.html == "-") throw InputError("--html needs a file; standard output carries the figures");
   if (!options.html.empty()) {
     check_writable(options.html);
     if (json_file && same(options.html, options.json))
@@ -67,12 +68,8 @@ ExitCode compare(const CompareOptions& options) {
   } else {
     const std::string text = comparison_json(options, comparison)
                                  .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    if (options.json == "-") {
-      fmt::print("{}\n", text);
-    } else {
-      write_text_file(options.json, text + "\n");
-      print_table(options, comparison);
-    }
+    write_text(options.json, text + "\n");
+    if (options.json != "-") print_table(options, comparison);
   }
   for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);
   for (const std::string& violation : comparison.violations) fmt::print(stderr, "facet: {}\n", violation);

@@ -8,8 +8,8 @@
 #include "cli/html.h"
 #include "cli/metadata.h"
 #include "cli/pages/page_text.h"
+#include "cli/text_file.h"
 #include "core/error.h"
-#include "image/atomic_file.h"
 #include "version.h"
 
 namespace facet::cli {
@@ -240,7 +240,7 @@ void write_compare_page(const std::string& path, const CompareOptions& options,
     throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop", path,
                                  most_pixels, comparison.errors.pixels));
   }
-  write_text_file(path, Page(options, comparison).html());
+  write_text(path, Page(options, comparison).html());
 }
 
 }  // namespace facet::cli

@@ -47,12 +47,13 @@ std::string rerun_command(const Image& image, int x, int y) {
   if (!scene) return "";
   std::string command = fmt::format("facet render {} --pixel {},{} --resolution {}x{}", quoted(*scene), x, y,
                                     image.window.full_width, image.window.full_height);
-  constexpr std::array<std::pair<const char*, const char*>, 6> options{{{"facet.integrator", "--integrator"},
+  constexpr std::array<std::pair<const char*, const char*>, 7> options{{{"facet.integrator", "--integrator"},
                                                                         {"facet.sampler", "--sampler"},
                                                                         {"facet.samples", "--sample-range"},
                                                                         {"facet.seed", "--seed"},
                                                                         {"facet.maxDepth", "--max-depth"},
-                                                                        {"facet.sampling", "--sampling"}}};
+                                                                        {"facet.sampling", "--sampling"},
+                                                                        {"facet.backend", "--backend"}}};
   for (const auto& [key, option] : options) {
     const std::optional<std::string> value = find_metadata(image, key);
     // An option's value may begin with a minus.

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <fstream>
 #include <system_error>
 
 #include "core/error.h"
@@ -29,15 +28,6 @@ void AtomicFile::commit() {
   std::error_code error;
   std::filesystem::rename(temporary_, target_, error);
   if (error) throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));
-}
-
-void write_text_file(const std::filesystem::path& path, std::string_view text) {
-  AtomicFile file(path);
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw InputError(fmt::format("{}: cannot write", path.string()));
-  file.commit();
 }
 
 }  // namespace facet

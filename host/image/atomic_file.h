@@ -1,7 +1,6 @@
 #pragma once
 // A file that appears under its name only when it is whole.
 #include <filesystem>
-#include <string_view>
 
 namespace facet {
 
@@ -22,8 +21,5 @@ class AtomicFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;
 };
-
-/// Writes a text file whole or not at all. Throws InputError.
-void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace facet

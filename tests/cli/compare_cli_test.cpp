@@ -217,6 +217,7 @@ TEST_F(CompareCliTest, BadOptions) {
   expect_failure({"compare", "a.exr", "a.exr", "--json", "c", "--html", "./c"}, 2, {"written twice"});
   expect_failure({"compare", "a.exr", "a.exr", "--html", "none/page.html"}, 2,
                  {"none/page.html", "no such folder"});
+  expect_failure({"compare", "a.exr", "a.exr", "--html", "-"}, 2, {"--html needs a file"});
   EXPECT_EQ(read_exr(folder_.file("a.exr")).width(), 4);
 }
 

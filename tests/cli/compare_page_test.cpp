@@ -62,7 +62,8 @@ class ComparePageTest : public CliTest {
                   {"facet.integrator", "path"},
                   {"facet.samples", "3:9"},
                   {"facet.seed", "7"},
-                  {"facet.maxDepth", "-1"}};
+                  {"facet.maxDepth", "-1"},
+                  {"facet.backend", "vulkan"}};
     Image b = a;
     b.metadata[3].second = "8";
     for (int c = 0; c < 3; ++c) b.at(0, 0, c) = 0.5F;
@@ -167,7 +168,7 @@ TEST_F(ComparePageTest, WorstPixelsCanBeSeenAndRenderedAgain) {
   EXPECT_EQ(page["commands"][0],
             "facet render 'a b'\\''s</script><script>document.title='\\''x'\\''</script>.xml' --pixel 13,22 "
             "--resolution "
-            "100x100 --integrator=path --sample-range=3:9 --seed=7 --max-depth=-1");
+            "100x100 --integrator=path --sample-range=3:9 --seed=7 --max-depth=-1 --backend=vulkan");
   EXPECT_NE(page["commands"][3].get<std::string>().find("--pixel 10,20 "), std::string::npos);
   EXPECT_NE(page["commands"][3].get<std::string>().find("--seed=8"), std::string::npos);
 }
