@@ -8,6 +8,7 @@ set -eu
 
 packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools libglm-dev libtinyobjloader-dev
   libopenexr-dev libpng-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
+test_packages="chromium" # looks at the pages that facet writes
 
 say() { echo "bootstrap: $*" >&2; }
 fail() {
@@ -84,7 +85,7 @@ case $command in
     ;;
   test)
     # shellcheck disable=SC2086
-    install_packages $packages
+    install_packages $packages $test_packages
     build all
     # Here, since tests download nothing.
     sh "$root/cmake/second-driver.sh" --prepare >&2 || say "the test that compares two drivers will be skipped"

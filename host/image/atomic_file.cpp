@@ -2,11 +2,9 @@
 
 #include <unistd.h>
 
-#include <fstream>
 #include <system_error>
 
 #include "core/error.h"
-#include "image/files.h"
 
 namespace facet {
 
@@ -30,17 +28,6 @@ void AtomicFile::commit() {
   std::error_code error;
   std::filesystem::rename(temporary_, target_, error);
   if (error) throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));
-}
-
-void check_writable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
-  const AtomicFile file(path);
-  if (!std::ofstream(file.temporary())) {
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const char* why = std::filesystem::is_directory(folder) ? "no permission" : "no such folder";
-    throw InputError(fmt::format("{}: cannot write: {}", path.string(), why));
-  }
 }
 
 }  // namespace facet

@@ -16,10 +16,6 @@ namespace facet {
 
 namespace {
 
-/// Largest side and area that are taken for an image and not for a damaged header.
-constexpr long long largest_side = 1 << 20;
-constexpr long long largest_area = 1LL << 30;
-
 Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   const auto width = static_cast<std::size_t>(window.max.x - window.min.x) + 1;
   const auto offset =
@@ -35,10 +31,7 @@ Image read_exr_file(const std::filesystem::path& path) {
   const Imath::Box2i window = file.header().dataWindow();
   const long long width = 1LL + window.max.x - window.min.x;
   const long long height = 1LL + window.max.y - window.min.y;
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
-      width * height > largest_area) {
-    throw InputError(fmt::format("{}: unreasonable image size {}x{}", path.string(), width, height));
-  }
+  check_file_image_size(path, width, height);
   std::vector<std::string> channels;
   for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c)
     channels.emplace_back(c.name());
@@ -62,8 +55,7 @@ Image read_exr_file(const std::filesystem::path& path) {
 }  // namespace
 
 Image read_exr(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: no such file", path.string()));
-  if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: not a file", path.string()));
+  check_readable(path);
   try {
     return read_exr_file(path);
   } catch (const Error&) {

@@ -11,11 +11,24 @@ namespace facet {
 /// Throws InputError where the file is missing, unreadable or damaged.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
+/// Reads a PNG of 8 bits a channel as linear R, G and B; what is transparent is laid over black.
+/// Throws InputError where the file is missing, unreadable, damaged or of 16 bits a channel.
+[[nodiscard]] Image read_png(const std::filesystem::path& path);
+
+/// Reads an EXR or a PNG, by its extension.
+[[nodiscard]] Image read_image(const std::filesystem::path& path);
+
 /// Writes 32-bit float channels, ZIP-compressed, with the image's metadata as text attributes.
 void write_exr(const std::filesystem::path& path, const Image& image);
 
 /// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before encoding.
 void write_png(const std::filesystem::path& path, const Image& image, float exposure);
+
+/// Throws InputError unless there is a file at path.
+void check_readable(const std::filesystem::path& path);
+
+/// Throws InputError for sizes that are taken for a damaged header.
+void check_file_image_size(const std::filesystem::path& path, long long width, long long height);
 
 /// Throws InputError unless a file can be written at path; leaves nothing behind and changes nothing.
 void check_writable(const std::filesystem::path& path);

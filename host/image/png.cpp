@@ -1,5 +1,6 @@
 #include <png.h>
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,24 @@ std::uint8_t encode_srgb(float linear) {
   return static_cast<std::uint8_t>(std::lround(v * 255));
 }
 
+/// IEC 61966-2-1: the linear values of the 256 codes.
+std::array<float, 256> decode_table() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double v = static_cast<double>(i) / 255;
+    table[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+/// libpng's image of a file, released at the end.
+struct PngFile : png_image {
+  PngFile() : png_image{} { version = PNG_IMAGE_VERSION; }
+  ~PngFile() { png_image_free(this); }
+  PngFile(const PngFile&) = delete;
+  PngFile& operator=(const PngFile&) = delete;
+};
+
 std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
   const float factor = std::exp2(exposure);
   std::vector<std::uint8_t> pixels;
@@ -36,14 +55,34 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 
 }  // namespace
 
+Image read_png(const std::filesystem::path& path) {
+  check_readable(path);
+  PngFile png;
+  const auto fail = [&] {
+    throw InputError(fmt::format("{}: not a readable PNG image: {}", path.string(), png.message));
+  };
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) fail();
+  check_file_image_size(path, png.width, png.height);
+  if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
+    throw InputError(fmt::format("{}: has 16 bits a channel; PNGs of 8 are read", path.string()));
+  png.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(png.width) * png.height);
+  const png_color black{};
+  if (png_image_finish_read(&png, &black, pixels.data(), 0, nullptr) == 0) fail();
+  static const std::array<float, 256> linear = decode_table();
+  Image image(static_cast<int>(png.width), static_cast<int>(png.height), {"R", "G", "B"});
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    image.plane(static_cast<int>(i % 3))[i / 3] = linear.at(pixels[i]);
+  return image;
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);
   AtomicFile file(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.temporary().c_str(), "wb"),
                                                             &std::fclose);
   if (!out) throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(errno)));
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
+  PngFile png;
   png.width = static_cast<png_uint_32>(image.width());
   png.height = static_cast<png_uint_32>(image.height());
   png.format = PNG_FORMAT_RGB;

@@ -18,7 +18,7 @@ TEST_F(CliTest, Version) {
 TEST_F(CliTest, Help) {
   const Result result = run({"--help"});
   EXPECT_EQ(result.code, 0);
-  expect_words(result.out, {"render", "info", "devices", "--version"});
+  expect_words(result.out, {"render", "info", "compare", "devices", "--version"});
   const Result render = run({"render", "--help"});
   EXPECT_EQ(render.code, 0);
   expect_words(render.out, {"--spp", "--integrator", "--sampler", "--max-depth", "--resolution", "--crop",

@@ -68,7 +68,7 @@ void expect_equal(const Image& a, const Image& b) {
   }
 }
 
-std::vector<std::uint8_t> read_png(const std::filesystem::path& path) {
+std::vector<std::uint8_t> codes_of_png(const std::filesystem::path& path) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   EXPECT_NE(png_image_begin_read_from_file(&png, path.c_str()), 0) << png.message;
@@ -177,7 +177,7 @@ TEST_F(ImageTest, PngIsEncodedAsSrgb) {
   Image image(static_cast<int>(cases.size()), 1, {"R", "G", "B"});
   for (std::size_t i = 0; i < cases.size(); ++i) image.at(static_cast<int>(i), 0, 1) = cases[i].first;
   write_png(folder_.file("a.png"), image, 0);
-  const auto pixels = read_png(folder_.file("a.png"));
+  const auto pixels = codes_of_png(folder_.file("a.png"));
   for (std::size_t i = 0; i < cases.size(); ++i) {
     EXPECT_EQ(pixels.at(3 * i + 1), cases[i].second) << cases[i].first;
     EXPECT_EQ(pixels.at(3 * i), 0) << "red, from another plane";
@@ -189,10 +189,65 @@ TEST_F(ImageTest, ExposureCountsStops) {
   image.at(0, 0, 2) = 0.25F;
   image.at(1, 0, 2) = 1;
   write_png(folder_.file("a.png"), image, 1);
-  EXPECT_EQ(read_png(folder_.file("a.png")), (std::vector<std::uint8_t>{188, 0, 0, 255, 0, 0}))
+  EXPECT_EQ(codes_of_png(folder_.file("a.png")), (std::vector<std::uint8_t>{188, 0, 0, 255, 0, 0}))
       << "channels go by name";
   write_png(folder_.file("a.png"), image, -1);
-  EXPECT_EQ(read_png(folder_.file("a.png"))[3], 188);
+  EXPECT_EQ(codes_of_png(folder_.file("a.png"))[3], 188);
+}
+
+TEST_F(ImageTest, PngIsReadAsLinear) {
+  Image image(256, 1, {"R", "G", "B"});
+  // 188 stands for ((188 / 255 + 0.055) / 1.055)^2.4 = 0.502886, 10 for 10 / 255 / 12.92.
+  for (int x = 0; x < 256; ++x) image.at(x, 0, 1) = static_cast<float>(x) / 255;
+  image.at(0, 0, 0) = 0.5F;
+  image.at(0, 0, 2) = 0.003F;
+  write_png(folder_.file("a.png"), image, 0);
+  const Image back = read_image(folder_.file("a.png"));
+  EXPECT_NEAR(back.at(0, 0, 0), 0.502886, 1e-6);
+  EXPECT_NEAR(back.at(0, 0, 2), 10 / 255.0 / 12.92, 1e-8);
+  EXPECT_EQ(back.at(0, 0, 1), 0);
+  EXPECT_EQ(back.at(255, 0, 1), 1);
+  EXPECT_EQ(back.window.full_width, 256);
+  write_png(folder_.file("b.png"), back, 0);
+  EXPECT_EQ(codes_of_png(folder_.file("a.png")), codes_of_png(folder_.file("b.png"))) << "codes survive";
+}
+
+TEST_F(ImageTest, OtherPngFormats) {
+  const auto write = [&](png_uint_32 format, const void* pixels) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = png.height = 1;
+    png.format = format;
+    ASSERT_NE(png_image_write_to_file(&png, folder_.file("a.png").c_str(), 0, pixels, 0, nullptr), 0);
+  };
+  const std::uint8_t gray = 255;
+  write(PNG_FORMAT_GRAY, &gray);
+  EXPECT_EQ(read_png(folder_.file("a.png")).at(0, 0, 2), 1);
+  const std::uint8_t half[4] = {255, 0, 255, 0};
+  write(PNG_FORMAT_RGBA, half);
+  EXPECT_EQ(read_png(folder_.file("a.png")).at(0, 0, 0), 0) << "transparent over black";
+  const std::uint16_t linear[3] = {1, 2, 3};
+  write(PNG_FORMAT_LINEAR_RGB, linear);
+  expect_message(input_error_of([&] { return read_png(folder_.file("a.png")); }),
+                 folder_.file("a.png").string(), {"16 bits"});
+}
+
+TEST_F(ImageTest, UnreadablePngFilesAreNamed) {
+  write_png(folder_.file("a.png"), make_image(20, 20, {"R", "G", "B"}), 0);
+  const std::string whole = folder_.read("a.png");
+  for (const std::string& text : {std::string(), std::string("text"), whole.substr(0, whole.size() / 2)}) {
+    folder_.write("bad.png", text);
+    expect_message(input_error_of([&] { return read_png(folder_.file("bad.png")); }),
+                   folder_.file("bad.png").string(), {"not a readable PNG"});
+  }
+  std::string huge = whole;
+  huge.replace(16, 8, std::string("\x00\x0f\x42\x40\x00\x0f\x42\x40", 8));
+  folder_.write("bad.png", huge);
+  (void)input_error_of([&] { return read_png(folder_.file("bad.png")); });
+  expect_message(input_error_of([&] { return read_image(folder_.file("none.png")); }),
+                 folder_.file("none.png").string(), {"no such file"});
+  expect_message(input_error_of([&] { return read_image(folder_.file("a.jpg")); }),
+                 folder_.file("a.jpg").string(), {".exr or .png"});
 }
 
 TEST_F(ImageTest, WritingLeavesOnlyTheFile) {

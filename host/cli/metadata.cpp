@@ -1,0 +1,76 @@
+#include "cli/metadata.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/text.h"
+
+namespace facet::cli {
+
+namespace {
+
+/// For a POSIX shell.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// The samples A:B of each pixel.
+std::optional<std::pair<long long, long long>> sample_range(const Image& image) {
+  const std::optional<std::string> text = find_metadata(image, "facet.samples");
+  if (!text) return std::nullopt;
+  const std::size_t colon = text->find(':');
+  if (colon == std::string::npos) return std::nullopt;
+  const auto first = parse_integer(std::string_view(*text).substr(0, colon));
+  const auto end = parse_integer(std::string_view(*text).substr(colon + 1));
+  if (!first || !end) return std::nullopt;
+  return std::pair(*first, *end);
+}
+
+}  // namespace
+
+std::optional<std::string> find_metadata(const Image& image, const std::string& key) {
+  const auto found = std::find_if(image.metadata.begin(), image.metadata.end(),
+                                  [&](const auto& entry) { return entry.first == key; });
+  if (found == image.metadata.end()) return std::nullopt;
+  return found->second;
+}
+
+std::string rerun_command(const Image& image, int x, int y) {
+  const std::optional<std::string> scene = find_metadata(image, "facet.scene");
+  if (!scene) return "";
+  std::string command = fmt::format("facet render {} --pixel {},{} --resolution {}x{}", quoted(*scene), x, y,
+                                    image.window.full_width, image.window.full_height);
+  constexpr std::array<std::pair<const char*, const char*>, 7> options{{{"facet.integrator", "--integrator"},
+                                                                        {"facet.sampler", "--sampler"},
+                                                                        {"facet.samples", "--sample-range"},
+                                                                        {"facet.seed", "--seed"},
+                                                                        {"facet.maxDepth", "--max-depth"},
+                                                                        {"facet.sampling", "--sampling"},
+                                                                        {"facet.backend", "--backend"}}};
+  for (const auto& [key, option] : options) {
+    const std::optional<std::string> value = find_metadata(image, key);
+    // An option's value may begin with a minus.
+    if (value) command += fmt::format(" {}={}", option, quoted(*value));
+  }
+  return command;
+}
+
+bool share_samples(const Image& a, const Image& b) {
+  for (const char* key : {"facet.scene", "facet.seed"}) {
+    const std::optional<std::string> value = find_metadata(a, key);
+    if (!value || value != find_metadata(b, key)) return false;
+  }
+  const auto range_a = sample_range(a);
+  const auto range_b = sample_range(b);
+  return range_a && range_b &&
+         std::max(range_a->first, range_b->first) < std::min(range_a->second, range_b->second);
+}
+
+}  // namespace facet::cli

@@ -1,0 +1,11 @@
+#pragma once
+// The files of this folder, embedded.
+#include <string_view>
+
+namespace facet::cli::page_text {
+
+extern const std::string_view compare_html;
+extern const std::string_view compare_css;
+extern const std::string_view compare_js;
+
+}  // namespace facet::cli::page_text
