@@ -47,7 +47,8 @@ void check_outputs(const std::vector<std::string>& images, const std::string& js
   if (!json.empty() && json != "-") all.push_back(json);
   for (const std::string& file : all) {
     check_writable(file);
-    if (!names.insert(std::filesystem::weakly_canonical(file).string()).second) {
+    // Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
+    if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file)).string()).second) {
       throw InputError(fmt::format("{}: is to be written twice", file));
     }
   }
