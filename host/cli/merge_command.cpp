@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,7 @@ class MergeJob {
   ExitCode run() {
     check_outputs(options_.outputs, options_.json);
     open();
+    check_parts_survive();
     check_gaps();
     join();
     write();
@@ -76,6 +78,21 @@ class MergeJob {
     std::sort(parts_.begin(), parts_.end(), [](const PartFile& a, const PartFile& b) {
       return a.samples.hull().begin < b.samples.hull().begin;
     });
+  }
+
+  /// An EXR that takes a part's place holds its samples; anything else would lose them.
+  void check_parts_survive() const {
+    std::vector<std::string> others{options_.json};
+    for (const std::string& file : options_.outputs) {
+      if (!is_exr(file)) others.push_back(file);
+    }
+    for (const std::string& file : others) {
+      for (const PartFile& part : parts_) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(file, part.file, ignored))
+          throw InputError(fmt::format("{}: is one of the parts, and would be overwritten", file));
+      }
+    }
   }
 
   void check_gaps() const {
@@ -105,20 +122,25 @@ class MergeJob {
     }
   }
 
-  void join() {
-    film_ = parts_[0].read();
-    if (!film_.has_squares) without_squares_ = parts_[0].file;
-    for (std::size_t i = 1; i < parts_.size(); ++i) {
-      const Film more = parts_[i].read();
-      if (!more.has_squares && without_squares_.empty()) without_squares_ = parts_[i].file;
-      add_samples(film_, more);
-    }
-    if (wants_variance(options_.aovs) && !film_.has_squares) {
+  void check_squares() const {
+    const auto lacks = [](const PartFile& part) { return !part.has_squares(); };
+    const auto without = std::find_if(parts_.begin(), parts_.end(), lacks);
+    if (without == parts_.end()) return;
+    if (wants_variance(options_.aovs)) {
       throw InputError(
           fmt::format("{}: holds no sums of squares, which --aov variance needs; render it with "
                       "--aov variance",
-                      without_squares_));
+                      without->file));
     }
+    if (std::all_of(parts_.begin(), parts_.end(), lacks)) return;
+    fmt::print(stderr, "warning: {}: holds no sums of squares, so the merged image keeps none\n",
+               without->file);
+  }
+
+  void join() {
+    check_squares();
+    film_ = parts_[0].read();
+    for (std::size_t i = 1; i < parts_.size(); ++i) add_samples(film_, parts_[i].read());
     relmse_ = estimate_relmse(film_);
   }
 
@@ -191,8 +213,7 @@ class MergeJob {
   std::vector<PartFile> parts_;
   SampleRanges samples_;
   Film film_;
-  std::string without_squares_;  ///< the first file without sums of squares
-  double relmse_ = 0;            ///< estimated
+  double relmse_ = 0;  ///< estimated
 };
 
 void add_options(CLI::App& command, MergeOptions& o) {
@@ -204,12 +225,12 @@ void add_options(CLI::App& command, MergeOptions& o) {
       ->required()
       ->allow_extra_args(false);
   command.add_option("--sample-range", o.sample_range,
-                     "The samples A:B that the parts must hold together, the first and the last included");
+                     "Refuse unless the parts hold just the samples A:B together (B excluded)");
   command.add_flag("--allow-gaps", o.allow_gaps, "Merge although samples between the parts are missing");
   add_aov_option(command, o.aovs);
   add_exposure_option(command, o.exposure);
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command.add_flag("--quiet", o.quiet, "Nothing but errors on standard error");
+  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ void check_extension(const std::string& file) {
   }
 }
 
-bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
-
 }  // namespace
+
+bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
 
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
   command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")

@@ -8,6 +8,8 @@
 
 namespace facet::cli {
 
+[[nodiscard]] bool is_exr(const std::string& file);
+
 /// --aov: names of further EXR channels.
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs);
 [[nodiscard]] bool wants_variance(const std::vector<std::string>& aovs);

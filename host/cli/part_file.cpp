@@ -64,12 +64,15 @@ const std::string& PartFile::text(const std::string& key) const {
   return *text;
 }
 
+bool PartFile::has_channel(const std::string& name) const {
+  return std::find(header.channels.begin(), header.channels.end(), name) != header.channels.end();
+}
+
 Film PartFile::read() const { return film_of_part(read_exr(file), samples.count(), file); }
 
 PartFile open_part(const std::string& file) {
   PartFile part{file, read_exr_header(file), {}};
-  const auto& channels = part.header.channels;
-  if (std::find(channels.begin(), channels.end(), "sum.R") == channels.end()) {
+  if (!part.has_channel("sum.R")) {
     const bool ours = find_metadata(part.header.metadata, "facet.samples") != nullptr;
     throw InputError(fmt::format("{}: is {}no part of a render: it holds no sums; {}", file,
                                  ours ? "a whole image and " : "", how_to_make_one));

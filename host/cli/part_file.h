@@ -15,6 +15,9 @@ struct PartFile {
 
   /// A key of the metadata; throws InputError if the file lacks it.
   [[nodiscard]] const std::string& text(const std::string& key) const;
+  /// Whether it holds sums of squares.
+  [[nodiscard]] bool has_squares() const { return has_channel("square.R"); }
+  [[nodiscard]] bool has_channel(const std::string& name) const;
   /// Its pixels' sums. Throws InputError where they are damaged.
   [[nodiscard]] Film read() const;
 };

@@ -82,9 +82,8 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
   command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
   command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
   command.add_option("--seed", o.seed, "Seed of the random numbers");
-  command.add_option(
-      "--sample-range", o.sample_range,
-      "Render only the samples A:B of each pixel (B excluded); an EXR of them is a part, for facet merge");
+  command.add_option("--sample-range", o.sample_range,
+                     "Render only the samples A:B of each pixel (B excluded)");
   command.add_option("--heuristic", o.heuristic, "MIS weights")->check(CLI::IsMember({"balance", "power"}));
   command
       .add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
@@ -97,6 +96,10 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
 
 void add_render_options(CLI::App& command, RenderOptions& o) {
   add_scene_options(command, o);
+  command.get_option("--sample-range")
+      ->description(
+          "Render only the samples A:B of each pixel (B excluded); their EXR is a part, which facet "
+          "merge joins with others");
   command
       .add_option("-o,--output", o.outputs,
                   "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")

@@ -96,7 +96,7 @@ void write_counts(Image& image, const Film& film, std::uint32_t PixelSums::*coun
 int read_exponent(const Image& image, const std::string& key, const std::string& file) {
   const std::string* text = find_metadata(image.metadata, key);
   const auto exponent = text == nullptr ? std::nullopt : parse_integer(*text);
-  if (!exponent || std::abs(*exponent) > 2000)
+  if (!exponent || *exponent < -2000 || *exponent > 2000)
     throw InputError(fmt::format("{}: lacks the metadata {} of a part", file, key));
   return static_cast<int>(*exponent);
 }
