@@ -2,17 +2,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <memory>
-#include <set>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/render_report.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
-#include "image/files.h"
+#include "image/part.h"
 #include "reference/renderer.h"
 #include "render/renderer.h"
 #include "scene/reader.h"
@@ -30,7 +29,7 @@ class RenderJob {
 
   ExitCode run() {
     catch_interrupts();
-    check_outputs();
+    check_outputs(outcome_.files, options_.json);
     load();
     const bool silent = options_.backend == "reference" ? render_reference() : render_on_device();
     outcome_.interrupted = was_interrupted();
@@ -42,43 +41,20 @@ class RenderJob {
   }
 
  private:
-  void check_outputs() const {
-    std::set<std::string> names;
-    std::vector<std::string> all = outcome_.files;
-    if (!options_.json.empty() && options_.json != "-") all.push_back(options_.json);
-    for (const std::string& file : all) {
-      check_writable(file);
-      if (!names.insert(std::filesystem::weakly_canonical(file).string()).second) {
-        throw InputError(fmt::format("{}: is to be written twice", file));
-      }
-    }
-  }
-
   void load() {
     const double start = seconds_since_start();
     Diagnostics diagnostics(options_.strict);
     outcome_.scene = read_scene(options_.scene, diagnostics);
     apply_to_scene(options_, outcome_.scene);
     outcome_.settings = make_settings(options_, outcome_.scene);
-    check_png_size();
+    const Crop& crop = outcome_.settings.crop;
+    check_png_size(outcome_.files, crop.x1 - crop.x0, crop.y1 - crop.y0);
     warn_about_scene(outcome_.scene, diagnostics);
     print_warnings(diagnostics);
     // Sums of squares serve the variance channels and the error estimates of the report and the progress bar.
-    outcome_.settings.variance = options_.wants_variance_channels() || !options_.json.empty() ||
+    outcome_.settings.variance = wants_variance(options_.aovs) || !options_.json.empty() ||
                                  (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
     outcome_.load_seconds = seconds_since_start() - start;
-  }
-
-  void check_png_size() const {
-    constexpr int largest_png_side = 1000000;
-    const Crop& crop = outcome_.settings.crop;
-    const bool too_large = std::max(crop.x1 - crop.x0, crop.y1 - crop.y0) > largest_png_side;
-    for (const std::string& file : outcome_.files) {
-      if (too_large && std::filesystem::path(file).extension() == ".png") {
-        throw InputError(
-            fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file, largest_png_side));
-      }
-    }
   }
 
   /// Returns whether the validation layers, if on, had nothing to say.
@@ -127,21 +103,20 @@ class RenderJob {
     };
   }
 
-  void keep(const Film& film) {
+  void keep(Film film) {
     outcome_.relmse = estimate_relmse(film);
-    outcome_.image = develop(film, options_.wants_variance_channels());
+    const bool with_variance = wants_variance(options_.aovs);
+    // What a part holds does not depend on who looked on.
+    film.has_squares = with_variance;
+    outcome_.image = options_.sample_range ? make_part(film, with_variance) : develop(film, with_variance);
   }
 
   void write() {
     const double start = seconds_since_start();
-    outcome_.image.metadata = make_metadata(options_, outcome_);
-    for (const std::string& file : outcome_.files) {
-      if (std::filesystem::path(file).extension() == ".exr") {
-        write_exr(file, outcome_.image);
-      } else {
-        write_png(file, outcome_.image, options_.exposure);
-      }
-    }
+    auto metadata = make_metadata(options_, outcome_);
+    metadata.insert(metadata.end(), outcome_.image.metadata.begin(), outcome_.image.metadata.end());
+    outcome_.image.metadata = std::move(metadata);
+    write_images(outcome_.files, outcome_.image, options_.exposure);
     outcome_.write_seconds = seconds_since_start() - start;
   }
 

@@ -1,9 +1,9 @@
 #include "cli/render_options.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
+#include "cli/outputs.h"
 #include "core/text.h"
 #include "scene/reader.h"
 
@@ -71,10 +71,6 @@ LobeSampling lobe_sampling(const std::string& name) {
 
 }  // namespace
 
-bool RenderOptions::wants_variance_channels() const {
-  return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
-}
-
 void add_scene_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
@@ -100,6 +96,10 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
 
 void add_render_options(CLI::App& command, RenderOptions& o) {
   add_scene_options(command, o);
+  command.get_option("--sample-range")
+      ->description(
+          "Render only the samples A:B of each pixel (B excluded); their EXR is a part, which facet "
+          "merge joins with others");
   command
       .add_option("-o,--output", o.outputs,
                   "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
@@ -117,12 +117,8 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
                   "reference ignores what BSDFs know of sampling and takes the uniform hemisphere")
       ->check(CLI::IsMember({"ndf", "visible", "uniform"}))
       ->capture_default_str();
-  command.add_option("--aov", o.aovs, "Further EXR channels: variance (of each pixel's mean)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"variance"}));
-  command.add_option("--exposure", o.exposure, "Stops by which PNG images are brightened")
-      ->check(CLI::Range(-100.F, 100.F));
+  add_aov_option(command, o.aovs);
+  add_exposure_option(command, o.exposure);
   command.add_flag("--validate", o.validate,
                    "Turn the Vulkan validation layers on; any message of theirs fails the render");
 }
@@ -178,17 +174,10 @@ RenderSettings make_settings(const RenderOptions& o, const Scene& scene) {
 
 std::vector<std::string> output_files(const RenderOptions& o) {
   if (o.scene.empty()) throw InputError("render: the scene's name is empty");
-  if (!std::isfinite(o.exposure)) throw InputError("--exposure must be a number");
   std::vector<std::string> files = o.outputs;
   if (files.empty() && !o.pixel) {
     const std::string stem = std::filesystem::path(o.scene).stem().string();
     files = {stem + ".exr", stem + ".png"};
-  }
-  for (const std::string& file : files) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    if (extension != ".exr" && extension != ".png") {
-      throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png", file));
-    }
   }
   return files;
 }

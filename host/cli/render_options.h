@@ -34,8 +34,6 @@ struct RenderOptions {
   bool quiet = false;
   bool strict = false;
   bool validate = false;
-
-  [[nodiscard]] bool wants_variance_channels() const;
 };
 
 /// Adds the options that name a scene and what of it is computed.

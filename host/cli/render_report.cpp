@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "core/text.h"
+#include "scene/fingerprint.h"
 #include "version.h"
 
 namespace facet::cli {
@@ -42,7 +43,12 @@ std::vector<std::pair<std::string, std::string>> make_metadata(const RenderOptio
       {"facet.spp", fmt::format("{}", samples_per_pixel(o.settings))},
       {"facet.seed", fmt::format("{}", o.settings.seed)},
       {"facet.maxDepth", fmt::format("{}", o.scene.integrator.interaction_limit())},
+      {"facet.heuristic", o.scene.integrator.heuristic == Heuristic::power ? "power" : "balance"},
+      {"facet.emitterSelection", o.scene.emitter_selection == EmitterSelection::power ? "power" : "uniform"},
+      {"facet.filter", describe(o.scene.camera.filter)},
+      {"facet.fingerprint", fmt::format("{:016x}", fingerprint(o.scene))},
       {"facet.backend", options.backend},
+      {"facet.precision", options.precision.empty() ? "float" : options.precision},
       {"facet.device", o.device},
       {"facet.driver", o.driver},
       {"facet.seconds", fmt::format("{:.3f}", o.statistics.render_seconds)},

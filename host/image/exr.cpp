@@ -26,43 +26,64 @@ Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   return {Imf::FLOAT, base, sizeof(float), sizeof(float) * width};
 }
 
-Image read_exr_file(const std::filesystem::path& path) {
-  Imf::InputFile file(path.c_str(), static_cast<int>(thread_count()));
-  const Imath::Box2i window = file.header().dataWindow();
+ExrHeader header_of(const std::filesystem::path& path, const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
   const long long width = 1LL + window.max.x - window.min.x;
   const long long height = 1LL + window.max.y - window.min.y;
   check_file_image_size(path, width, height);
-  std::vector<std::string> channels;
-  for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c)
-    channels.emplace_back(c.name());
-  Image image(static_cast<int>(width), static_cast<int>(height), channels);
+  const Imath::Box2i display = header.displayWindow();
+  ExrHeader result{static_cast<int>(width),
+                   static_cast<int>(height),
+                   {window.min.x - display.min.x, window.min.y - display.min.y,
+                    display.max.x - display.min.x + 1, display.max.y - display.min.y + 1},
+                   {},
+                   {}};
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+    result.channels.emplace_back(c.name());
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+    if (text != nullptr) result.metadata.emplace_back(a.name(), text->value());
+  }
+  return result;
+}
+
+Image read_pixels(const std::filesystem::path& path, Imf::InputFile& file) {
+  const ExrHeader header = header_of(path, file.header());
+  Image image(header.width, header.height, header.channels);
+  image.window = header.window;
+  image.metadata = header.metadata;
+  const Imath::Box2i window = file.header().dataWindow();
   Imf::FrameBuffer buffer;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    buffer.insert(channels[c], slice_of(image.plane(static_cast<int>(c)), window));
+  for (std::size_t c = 0; c < header.channels.size(); ++c) {
+    buffer.insert(header.channels[c], slice_of(image.plane(static_cast<int>(c)), window));
   }
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);
-  const Imath::Box2i display = file.header().displayWindow();
-  image.window = {window.min.x - display.min.x, window.min.y - display.min.y,
-                  display.max.x - display.min.x + 1, display.max.y - display.min.y + 1};
-  for (auto a = file.header().begin(); a != file.header().end(); ++a) {
-    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
-    if (text != nullptr) image.metadata.emplace_back(a.name(), text->value());
-  }
   return image;
 }
 
-}  // namespace
-
-Image read_exr(const std::filesystem::path& path) {
+/// Opens the file and has it read; whatever goes wrong becomes an InputError that names it.
+template <typename Read>
+auto read_file(const std::filesystem::path& path, const Read& read) {
   check_readable(path);
   try {
-    return read_exr_file(path);
+    Imf::InputFile file(path.c_str(), static_cast<int>(thread_count()));
+    return read(path, file);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
     throw InputError(fmt::format("{}: not a readable EXR image: {}", path.string(), e.what()));
   }
+}
+
+}  // namespace
+
+Image read_exr(const std::filesystem::path& path) { return read_file(path, read_pixels); }
+
+ExrHeader read_exr_header(const std::filesystem::path& path) {
+  return read_file(path, [](const std::filesystem::path& name, const Imf::InputFile& file) {
+    return header_of(name, file.header());
+  });
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {

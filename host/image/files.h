@@ -17,6 +17,17 @@ namespace facet {
 
 /// Reads an EXR or a PNG, by its extension.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
+/// What stands in the header of an EXR.
+struct ExrHeader {
+  int width = 0;
+  int height = 0;
+  Image::Window window;
+  std::vector<std::string> channels;
+  std::vector<std::pair<std::string, std::string>> metadata;
+};
+
+/// Reads the header alone. Throws like read_exr, but for damage to what follows the header.
+[[nodiscard]] ExrHeader read_exr_header(const std::filesystem::path& path);
 
 /// Writes 32-bit float channels, ZIP-compressed, with the image's metadata as text attributes.
 void write_exr(const std::filesystem::path& path, const Image& image);

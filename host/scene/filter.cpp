@@ -1,5 +1,7 @@
 #include "scene/filter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +35,15 @@ double radius(const MitchellFilter& f) { return f.radius; }
 double radius(const TentFilter&) { return 1; }
 double radius(const BoxFilter&) { return 0.5; }
 
+std::string text(const GaussianFilter& f) {
+  return fmt::format("gaussian, radius {}, stddev {}", f.radius, f.stddev);
+}
+std::string text(const MitchellFilter& f) {
+  return fmt::format("mitchell, radius {}, B {}, C {}", f.radius, f.b, f.c);
+}
+std::string text(const TentFilter&) { return "tent"; }
+std::string text(const BoxFilter&) { return "box"; }
+
 }  // namespace
 
 double filter_radius(const Filter& filter) {
@@ -41,6 +52,10 @@ double filter_radius(const Filter& filter) {
 
 double filter_value(const Filter& filter, double x) {
   return std::visit([x](const auto& f) { return value(f, x); }, filter);
+}
+
+std::string describe(const Filter& filter) {
+  return std::visit([](const auto& f) { return text(f); }, filter);
 }
 
 }  // namespace facet

@@ -1,5 +1,6 @@
 #pragma once
 // Reconstruction filters: one-dimensional profiles, of which the image filter is the product over x and y.
+#include <string>
 #include <variant>
 
 namespace facet {
@@ -30,5 +31,8 @@ using Filter = std::variant<GaussianFilter, MitchellFilter, TentFilter, BoxFilte
 
 /// Value at x pixels from the centre; not normalised.
 [[nodiscard]] double filter_value(const Filter& filter, double x);
+
+/// "mitchell, radius 2, B 0.5, C 0.25": all there is to a filter, for people and for comparisons.
+[[nodiscard]] std::string describe(const Filter& filter);
 
 }  // namespace facet

@@ -18,7 +18,7 @@ TEST_F(CliTest, Version) {
 TEST_F(CliTest, Help) {
   const Result result = run({"--help"});
   EXPECT_EQ(result.code, 0);
-  expect_words(result.out, {"render", "info", "compare", "devices", "--version"});
+  expect_words(result.out, {"render", "info", "compare", "merge", "parity", "devices", "--version"});
   const Result render = run({"render", "--help"});
   EXPECT_EQ(render.code, 0);
   expect_words(render.out, {"--spp", "--integrator", "--sampler", "--max-depth", "--resolution", "--crop",
@@ -102,6 +102,9 @@ TEST_F(CliTest, FilesThatCannotBeWritten) {
   expect_failure({"render", "scene.xml", "-o", "none/a.exr"}, 2, {"none/a.exr", "no such folder"});
   expect_failure({"render", "scene.xml", "-o", "a.exr", "--json", "none/a.json"}, 2,
                  {"none/a.json", "no such folder"});
+  expect_failure({"render", "scene.xml", "-o", "a.exr", "-o", "./a.exr"}, 2, {"./a.exr", "twice"});
+  for (const char* exposure : {"nan", "101", "bright"})
+    expect_failure({"render", "scene.xml", "-o", "a.png", "--exposure", exposure}, 2, {"--exposure"});
   for (const char* name : {"a.jpg", "a", ".exr", "a.exr.gz"})
     expect_failure({"render", "scene.xml", "-o", name}, 2, {name, ".exr or .png"});
   EXPECT_EQ(folder_.names(), (Names{"floor.obj", "folder.exr", "light.obj", "scene.xml"}));

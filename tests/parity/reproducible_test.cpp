@@ -4,11 +4,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "cli/program.h"
 #include "image/files.h"
-#include "support/render.h"
+#include "support/parity.h"
 
 namespace facet::test {
 namespace {
@@ -17,18 +16,6 @@ using Words = std::vector<std::string>;
 
 constexpr int width = 48;
 constexpr int height = 36;
-
-/// Paths of the shipped scenes, relative to their folder.
-std::vector<std::string> shipped_scenes() {
-  const std::filesystem::path root = FACET_SCENES;
-  std::vector<std::string> scenes;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    if (entry.path().extension() == ".xml") scenes.push_back(entry.path().lexically_relative(root));
-  }
-  std::sort(scenes.begin(), scenes.end());
-  EXPECT_GE(scenes.size(), 20U);
-  return scenes;
-}
 
 std::string metadata(const Image& image, const std::string& name) {
   for (const auto& [key, value] : image.metadata) {
@@ -125,32 +112,24 @@ TEST_F(Reproducible, another_version_of_the_driver) {
   }
 }
 
-void expect_equal_bits(const FilmData& a, const FilmData& b) {
-  ASSERT_EQ(a.sums.size(), b.sums.size());
-  EXPECT_EQ(std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(shared::FilmRecord)), 0);
-  EXPECT_EQ(std::memcmp(a.squares.data(), b.squares.data(), a.squares.size() * sizeof(shared::FilmRecord)),
-            0);
-}
-
-double sum_of(const shared::FilmRecord& r, int channel) {
-  const std::array<float, 6> v{r.hi_r, r.lo_r, r.hi_g, r.lo_g, r.hi_b, r.lo_b};
-  const auto c = static_cast<std::size_t>(channel) * 2;
-  return static_cast<double>(v[c]) + v[c + 1];
+void expect_equal_bits(const Film& a, const Film& b) {
+  ASSERT_FALSE(a.pixels.empty());
+  EXPECT_TRUE(a.pixels == b.pixels);
 }
 
 /// Expects two renders of disjoint samples of a crop to sum to what the whole image holds there. Sums of two
 /// floats keep 2^-44 of a few samples; a sample that differs in its last bit shows at 2^-27.
-void expect_sum(const FilmData& whole, const FilmData& a, const FilmData& b, const Crop& crop) {
+void expect_sum(const Film& whole, const Film& a, const Film& b, const Crop& crop) {
   std::size_t i = 0;
   int different = 0;
   for (int y = crop.y0; y < crop.y1; ++y) {
     for (int x = crop.x0; x < crop.x1; ++x, ++i) {
-      const shared::FilmRecord& all = whole.sums[static_cast<std::size_t>(y * width + x)];
-      ASSERT_EQ(all.samples, a.sums[i].samples + b.sums[i].samples);
-      ASSERT_EQ(all.nonzero, a.sums[i].nonzero + b.sums[i].nonzero);
-      for (int c = 0; c < 3; ++c) {
-        const double sum = sum_of(all, c);
-        const double parts = sum_of(a.sums[i], c) + sum_of(b.sums[i], c);
+      const PixelSums& all = whole.pixels[static_cast<std::size_t>(y * width + x)];
+      ASSERT_EQ(all.samples, a.pixels[i].samples + b.pixels[i].samples);
+      ASSERT_EQ(all.nonzero, a.pixels[i].nonzero + b.pixels[i].nonzero);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double sum = all.values[c];
+        const double parts = a.pixels[i].values[c] + b.pixels[i].values[c];
         different += std::abs(sum - parts) > std::ldexp(std::abs(sum), -44) ? 1 : 0;
       }
     }
@@ -176,7 +155,7 @@ TEST(ReproduciblePasses, any_size_and_any_part_of_image_and_samples) {
     expect_equal_bits(film(ndf), film(ndf_in_ranges));
 
     RenderSettings visible = whole_image(scene, 6);
-    const FilmData whole = film(visible);
+    const Film whole = film(visible);
     visible.paths_in_flight = 2500;
     expect_equal_bits(whole, film(visible));
 

@@ -1,0 +1,77 @@
+#include "cli/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "image/files.h"
+
+namespace facet::cli {
+
+namespace {
+
+void check_extension(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".exr" && extension != ".png") {
+    throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png", file));
+  }
+}
+
+}  // namespace
+
+bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
+
+void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
+  command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"variance"}));
+}
+
+bool wants_variance(const std::vector<std::string>& aovs) {
+  return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
+}
+
+void add_exposure_option(CLI::App& command, float& exposure) {
+  command.add_option("--exposure", exposure, "Stops by which PNG images are brightened")
+      ->check(CLI::Range(-100.F, 100.F))
+      ->check([](const std::string& text) { return parse_real(text) ? std::string() : "must be a number"; });
+}
+
+void check_outputs(const std::vector<std::string>& images, const std::string& json) {
+  std::set<std::string> names;
+  std::vector<std::string> all = images;
+  for (const std::string& file : images) check_extension(file);
+  if (!json.empty() && json != "-") all.push_back(json);
+  for (const std::string& file : all) {
+    check_writable(file);
+    // Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
+    if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file)).string()).second) {
+      throw InputError(fmt::format("{}: is to be written twice", file));
+    }
+  }
+}
+
+void check_png_size(const std::vector<std::string>& images, int width, int height) {
+  constexpr int largest_png_side = 1000000;
+  if (std::max(width, height) <= largest_png_side) return;
+  for (const std::string& file : images) {
+    if (is_exr(file)) continue;
+    throw InputError(
+        fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file, largest_png_side));
+  }
+}
+
+void write_images(const std::vector<std::string>& files, const Image& image, float exposure) {
+  for (const std::string& file : files) {
+    if (is_exr(file)) {
+      write_exr(file, image);
+    } else {
+      write_png(file, image, exposure);
+    }
+  }
+}
+
+}  // namespace facet::cli

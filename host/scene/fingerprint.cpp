@@ -1,0 +1,134 @@
+#include "scene/fingerprint.h"
+
+#include <bit>
+#include <span>
+
+namespace facet {
+
+namespace {
+
+/// FNV-1a (Fowler, Noll, Vo) over 32-bit words instead of bytes, with a shift that brings high bits down.
+class Hash {
+ public:
+  void add(std::uint32_t word) {
+    state_ = (state_ ^ word) * 0x100000001b3U;
+    state_ ^= state_ >> 29U;
+  }
+  void add(std::uint64_t number) {
+    add(static_cast<std::uint32_t>(number));
+    add(static_cast<std::uint32_t>(number >> 32U));
+  }
+  void add(int number) { add(static_cast<std::uint32_t>(number)); }
+  void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  template <glm::length_t count, typename Number>
+  void add(const glm::vec<count, Number>& v) {
+    for (glm::length_t i = 0; i < count; ++i) add(v[i]);
+  }
+  void add(const dmat4& m) {
+    for (glm::length_t column = 0; column < 4; ++column) add(m[column]);
+  }
+  void add(std::string_view text) {
+    add(std::uint64_t{text.size()});
+    for (const char c : text) add(std::uint32_t{static_cast<unsigned char>(c)});
+  }
+  template <typename Item>
+  void add(const std::vector<Item>& items) {
+    add(std::uint64_t{items.size()});
+    for (const Item& item : items) add(item);
+  }
+  template <typename... Types>
+  void add(const std::variant<Types...>& any) {
+    add(static_cast<int>(any.index()));
+    std::visit([this](const auto& item) { add(item); }, any);
+  }
+
+  // Members are taken apart by name, so that one that is new cannot be forgotten: it does not compile.
+  void add(const Mesh& mesh) {
+    const auto& [name, where, positions, normals, texcoords, p_indices, n_indices, t_indices, bsdf, emitter] =
+        mesh;
+    add(positions);
+    add(normals);
+    add(texcoords);
+    add(p_indices);
+    add(n_indices);
+    add(t_indices);
+    add(bsdf);
+    add(emitter);
+  }
+  /// By the record that the kernels read, which holds every parameter.
+  void add(const Bsdf& bsdf) {
+    const shared::BsdfRecord record = pack_bsdf(bsdf);
+    add(bsdf_type_names.at(bsdf.index()));
+    add(record.a);
+    add(record.b);
+  }
+  void add(const AreaEmitter& emitter) {
+    const auto& [mesh, radiance] = emitter;
+    add(mesh);
+    add(radiance);
+  }
+  void add(const EnvironmentEmitter& emitter) {
+    const auto& [width, height, texels] = emitter;
+    add(width);
+    add(height);
+    add(texels);
+  }
+  void add(const GaussianFilter& filter) {
+    const auto& [radius, stddev] = filter;
+    add(radius);
+    add(stddev);
+  }
+  void add(const MitchellFilter& filter) {
+    const auto& [radius, b, c] = filter;
+    add(radius);
+    add(b);
+    add(c);
+  }
+  void add(const TentFilter&) {}
+  void add(const BoxFilter&) {}
+  void add(const Camera& camera) {
+    const auto& [width, height, to_world, fov, near_clip, far_clip, filter] = camera;
+    add(width);
+    add(height);
+    add(to_world);
+    add(fov);
+    add(near_clip);
+    add(far_clip);
+    add(filter);
+  }
+  void add(const Integrator& integrator) {
+    const auto& [type, max_depth, heuristic] = integrator;
+    add(type.name);
+    add(integrator.interaction_limit());
+    add(static_cast<int>(heuristic));
+  }
+
+  [[nodiscard]] std::uint64_t value() const {
+    // The finaliser of G. Steele, D. Lea and C. Flood's SplitMix: the last words, too, reach every bit.
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const Scene& scene) {
+  const auto& [file, meshes, bsdfs, emitters, camera, integrator, sample_count, seed, emitter_selection] =
+      scene;
+  Hash hash;
+  hash.add(meshes);
+  hash.add(bsdfs);
+  hash.add(emitters);
+  hash.add(camera);
+  hash.add(integrator);
+  hash.add(static_cast<int>(emitter_selection));
+  return hash.value();
+}
+
+}  // namespace facet
