@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "image/part.h"
 
 namespace facet::cli {
 
@@ -36,10 +37,8 @@ std::optional<std::pair<long long, long long>> sample_range(const Image& image) 
 }  // namespace
 
 std::optional<std::string> find_metadata(const Image& image, const std::string& key) {
-  const auto found = std::find_if(image.metadata.begin(), image.metadata.end(),
-                                  [&](const auto& entry) { return entry.first == key; });
-  if (found == image.metadata.end()) return std::nullopt;
-  return found->second;
+  const std::string* text = facet::find_metadata(image.metadata, key);
+  return text != nullptr ? std::optional(*text) : std::nullopt;
 }
 
 std::string rerun_command(const Image& image, int x, int y) {
@@ -47,18 +46,24 @@ std::string rerun_command(const Image& image, int x, int y) {
   if (!scene) return "";
   std::string command = fmt::format("facet render {} --pixel {},{} --resolution {}x{}", quoted(*scene), x, y,
                                     image.window.full_width, image.window.full_height);
-  constexpr std::array<std::pair<const char*, const char*>, 7> options{{{"facet.integrator", "--integrator"},
-                                                                        {"facet.sampler", "--sampler"},
-                                                                        {"facet.samples", "--sample-range"},
-                                                                        {"facet.seed", "--seed"},
-                                                                        {"facet.maxDepth", "--max-depth"},
-                                                                        {"facet.sampling", "--sampling"},
-                                                                        {"facet.backend", "--backend"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 9> options{
+      {{"facet.integrator", "--integrator"},
+       {"facet.sampler", "--sampler"},
+       {"facet.samples", "--sample-range"},
+       {"facet.seed", "--seed"},
+       {"facet.maxDepth", "--max-depth"},
+       {"facet.sampling", "--sampling"},
+       {"facet.heuristic", "--heuristic"},
+       {"facet.emitterSelection", "--emitter-selection"},
+       {"facet.backend", "--backend"}}};
   for (const auto& [key, option] : options) {
     const std::optional<std::string> value = find_metadata(image, key);
     // An option's value may begin with a minus.
     if (value) command += fmt::format(" {}={}", option, quoted(*value));
   }
+  if (find_metadata(image, "facet.backend") == "reference" &&
+      find_metadata(image, "facet.precision") == "double")
+    command += " --precision=double";
   return command;
 }
 

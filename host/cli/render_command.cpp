@@ -87,7 +87,6 @@ class RenderJob {
     const bool in_double = options_.precision == "double";
     outcome_.device = in_double ? "CPU reference in double" : "CPU reference in float";
     outcome_.driver = "none";
-    outcome_.features = find_features(outcome_.scene, outcome_.settings).names();
     Progress progress(options_.quiet, {});
     const auto render = in_double ? reference::render<double> : reference::render<float>;
     const Film film = render(outcome_.scene, outcome_.settings, telling(progress), outcome_.statistics);

@@ -159,7 +159,9 @@ class ZTest {
     }
     ++result_.cells;
     const double z = std::abs(a.value[c] - b.value[c]) / std::sqrt(variance);
-    if (z <= result_.largest_z) return;
+    // Variances may have overflowed: what cannot be tested so does not hold.
+    if (!std::isfinite(z)) ++result_.unequal;
+    if (!(z > result_.largest_z)) return;
     result_.largest_z = z;
     result_.worst_x = x;
     result_.worst_y = y;

@@ -1,7 +1,7 @@
 // Coefficients of the elementary functions (near-minimax polynomials, lowest power first), fitted for this
-// project in 30-digit arithmetic by Chebyshev interpolation. shaders/lib/elementary.glsl and the CPU
-// reference evaluate them, each with code of its own. A macro per table, since the two languages spell array
-// constants differently.
+// project in 30-digit arithmetic by Chebyshev interpolation. shaders/lib/elementary.glsl evaluates them; the
+// CPU reference uses the C library's functions instead, so that an error here shows as a difference. A macro
+// per table, since the two languages spell array constants differently.
 #ifndef FACET_SHARED_ELEMENTARY_COEFFICIENTS_H
 #define FACET_SHARED_ELEMENTARY_COEFFICIENTS_H
 
