@@ -52,10 +52,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   add_render_command(app, action);
-  add_parity_command(app, action);
   add_merge_command(app, action);
-  add_info_command(app, action);
   add_compare_command(app, action);
+  add_parity_command(app, action);
+  add_info_command(app, action);
   add_devices_command(app, action);
   try {
     app.parse(argc, argv);

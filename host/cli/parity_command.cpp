@@ -21,6 +21,7 @@ namespace facet::cli {
 namespace {
 
 constexpr int default_spp = 4;
+constexpr double most_samples = 1e9;
 /// Diverged samples that are listed for people.
 constexpr std::size_t listed_samples = 10;
 constexpr std::size_t listed_suspects = 5;
@@ -47,8 +48,20 @@ class ParityJob {
     apply_to_scene(options_, scene_);
     if (!options_.spp) scene_.sample_count = default_spp;
     settings_ = make_settings(options_, scene_);
+    check_sample_count();
     warn_about_scene(scene_, diagnostics);
     print_warnings(diagnostics);
+  }
+
+  /// A figure is kept of each sample.
+  void check_sample_count() const {
+    const Crop& c = settings_.crop;
+    const double samples =
+        static_cast<double>(c.x1 - c.x0) * (c.y1 - c.y0) * (settings_.end_sample - settings_.first_sample);
+    if (samples > most_samples)
+      throw InputError(
+          fmt::format("parity: {:.2g} samples are more than {:.2g}; use --crop, --resolution or --spp",
+                      samples, most_samples));
   }
 
   void compare() {

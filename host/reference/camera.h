@@ -39,8 +39,6 @@ class PerspectiveCamera {
     return s;
   }
 
-  [[nodiscard]] const FilterProfile& filter() const { return filter_; }
-
   /// The ray through a place in pixel (x, y) of the image.
   template <typename Probe>
   [[nodiscard]] Ray<Real> ray(int x, int y, const FilterSample<Real>& place, Probe& probe) const {

@@ -43,7 +43,6 @@ class Choice {
   }
 
   [[nodiscard]] double probability(std::size_t entry) const { return width(entry) / words; }
-  [[nodiscard]] bool empty() const { return ends_.empty(); }
 
  private:
   static constexpr double words = 4294967295.0;

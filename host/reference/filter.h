@@ -32,9 +32,6 @@ class FilterProfile {
     return std::abs(offset) > Real(crossing_) ? -Real(ratio_) : Real(ratio_);
   }
 
-  /// |offset| from which on f is negative.
-  [[nodiscard]] float crossing() const { return crossing_; }
-
  private:
   std::vector<float> offsets_;  ///< borders of intervals of equal mass
   std::vector<float> heights_;  ///< |f| there
