@@ -119,7 +119,7 @@ class Tracer {
   [[nodiscard]] Vec3<Real> emitter_estimate(const Interaction& at, std::uint32_t k) {
     const Surface<Real>& s = at.surface;
     const Block block = bounce_block(id_, k, shared::BOUNCE_EMITTER);
-    const EmitterSample<Real> e = world_.sample_emitter(s.position, block, probe_);
+    const EmitterSample<Real> e = world_.sample_emitter(s, block, probe_);
     const Vec3<Real> wi = probe_.nudged(at.frame.to_local(e.direction));
     if (!above(wi) || !(e.pdf > 0)) return Vec3<Real>(0);
     probe_.uses(Part::bsdf_eval, at.bsdf.type());
@@ -131,7 +131,7 @@ class Tracer {
     if (light == Vec3<Real>(0)) return light;
     Ray<Real> shadow{s.origin_towards(e.direction, 0, probe_), e.direction};
     if (!e.at_infinity) {
-      shadow.direction = e.end - shadow.origin;
+      shadow.direction = probe_.nudged(e.end - shadow.origin);
       shadow.t_max = 1;
     }
     return occluded(shadow) ? Vec3<Real>(0) : light;

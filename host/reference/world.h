@@ -24,9 +24,9 @@ class World {
     by_power_ = Choice(weights);
   }
 
-  /// A direction from a point towards some emitter; the density includes the choice of the emitter.
+  /// A direction from a surface towards some emitter; the density includes the choice of the emitter.
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample_emitter(const Vec3<Real>& from, const Block& block,
+  [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from, const Block& block,
                                                    Probe& probe) const {
     const std::size_t chosen = by_power_.choose(block.word(shared::EMITTER_CHOICE)).entry;
     probe.uses(Part::emitter_sample, chosen);

@@ -25,18 +25,19 @@ float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
 #define FACET_TRIANGLE_COUNT(i) emitter_triangles[i].cumulative
 FACET_DEFINE_CHOICE(choose_emitter_triangle, FACET_TRIANGLE_COUNT)
 
-EmitterSample area_sample(EmitterRecord e, vec3 from, uint primitive_bits, vec2 u) {
+/// from: the shaded surface.
+EmitterSample area_sample(EmitterRecord e, Surface from, uint primitive_bits, vec2 u) {
   vec2 b = square_to_triangle(u);
   uint last = e.first_triangle + max(e.triangle_count, 1u) - 1u;
   uint chosen = choose_emitter_triangle(e.first_triangle, last, choice_word(primitive_bits));
   Surface s = surface_at(emitter_triangles[chosen].triangle, b.x, b.y);
-  vec3 to = s.position - from;
+  vec3 to = s.position - from.position;
   EmitterSample r;
   r.d = normalize_safe(to);
   r.pdf = area_pdf(e, s, r.d, dot3(to, r.d));
   r.radiance = r.pdf > 0.0 ? area_eval(e, s, r.d) : vec3(0.0);
-  // Both ends of the shadow ray are moved off their surfaces.
-  r.point = offset_ray_origin(s.position, s.magnitude, s.ng, -r.d);
+  // Both ends of the shadow ray are moved off their surfaces; this one must also cover the error of a test from afar.
+  r.point = offset_ray_origin(s.position, max(s.magnitude, from.magnitude), s.ng, -r.d);
   r.at_infinity = false;
   return r;
 }

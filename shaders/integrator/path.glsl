@@ -39,7 +39,7 @@ vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
 
 /// Shadow ray for one emitter sample at s; has_shadow is false where it could contribute nothing.
 void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits) {
-  EmitterSample e = sample_emitters(s.position, bits);
+  EmitterSample e = sample_emitters(s, bits);
   vec3 wi = to_local(shading, e.d);
   vec3 f = bsdf_eval(bsdf, wo, wi);
   float weight = MATERIAL_SAMPLING ? mis_weight(e.pdf, bsdf_pdf(bsdf, wo, wi)) : 1.0;

@@ -10,8 +10,8 @@
 #define FACET_EMITTER_COUNT(i) emitters[i].cumulative
 FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
-/// A direction towards some emitter; pdf includes the choice of the emitter.
-EmitterSample sample_emitters(vec3 from, uvec4 bits) {
+/// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
+EmitterSample sample_emitters(Surface from, uvec4 bits) {
   EmitterRecord e = emitters[choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE]))];
   EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true);
   if (HAS_EMITTER(area) && (!HAS_EMITTER(environment) || e.type == EMITTER_area)) {

@@ -1,6 +1,7 @@
 // Every shipped scene and every integrator: the kernels' samples are the reference's, or differ for a reason.
 #include "support/parity.h"
 
+#include "reference/renderer.h"
 #include "support/scenes.h"
 
 namespace facet::test {
@@ -97,6 +98,29 @@ TEST(Parity, holds_for_crops_seeds_and_later_samples) {
   settings.first_sample = 1000003;
   settings.end_sample = 1000007;
   expect_parity(scene, settings);
+}
+
+std::uint64_t count_nonzero(const Film& film) {
+  std::uint64_t count = 0;
+  for (const PixelSums& pixel : film.pixels) count += pixel.nonzero;
+  return count;
+}
+
+// The end of a shadow ray lies off the emitter by more than the test against the emitter errs from afar; the
+// reference in double hardly errs.
+TEST(Parity, lights_do_not_shadow_themselves_from_afar) {
+  Scene scene = make_scene("direct_ems");
+  Mesh light = make_sphere(3, false);
+  transform(light, 0.5F, {0, 0, 0});
+  add_mesh(scene, light, bsdf::Diffuse{}, Color(1));
+  add_mesh(scene, make_quad({-60, -40, -60}, {-60, -40, 60}, {60, -40, 60}, {60, -40, -60}), bsdf::Diffuse{});
+  set_camera(scene, 64, 60, {0, 10, -80}, {0, -40, 0});
+  const RenderSettings settings = whole_image(scene, 16);
+  RenderStatistics statistics;
+  const Film exact = reference::render<double>(
+      scene, settings, [](double, const RenderStatistics&) { return true; }, statistics);
+  EXPECT_GT(count_nonzero(exact), 10000U);
+  EXPECT_EQ(count_nonzero(render(scene, settings).film), count_nonzero(exact));
 }
 
 }  // namespace

@@ -43,17 +43,20 @@ class AreaLight {
   }
 
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample(const Vec3<Real>& from, const Block& block, Probe& probe) const {
+  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from, const Block& block,
+                                           Probe& probe) const {
     const Real s = std::sqrt(1 - block.number<Real>(shared::EMITTER_U));
     const Real v = block.number<Real>(shared::EMITTER_V);
     const std::size_t chosen = by_area_.choose(block.word(shared::EMITTER_PRIMITIVE)).entry;
-    const Surface<Real> point =
+    Surface<Real> point =
         surface_at(scene_, geometry_.triangles[triangles_[chosen]], s * (1 - v), s * v, probe);
-    const Vec3<Real> way = point.position - from;
+    const Vec3<Real> way = point.position - from.position;
     EmitterSample<Real> sample;
     sample.direction = probe.nudged(unit(way));
     sample.pdf = pdf(point, sample.direction, glm::dot(way, sample.direction));
     sample.radiance = emission(point, sample.direction, probe);
+    // The offset covers the error of a test that comes from the shaded surface.
+    point.magnitude = std::max(point.magnitude, from.magnitude);
     sample.end = point.origin_towards(-sample.direction, 1, probe);
     return sample;
   }
