@@ -27,14 +27,14 @@ class Explainer {
             const Tolerance& tolerance)
       : world_(world), x_(x), y_(y), id_(id), kernels_(kernels), tolerance_(tolerance) {}
 
-  Explanation explain() {
+  Explanation explain(bool turn) {
     Explanation result;
     result.agrees = try_forced(result);
     if (!decisions_.empty()) result.nearest = decisions_.front();
     const std::vector<TurnedDecision> first = decisions_;
     const Vec3<float> untouched = reference_;
     // Few decisions before many.
-    for (int steps = 1; steps <= step_limit && !result.explained(); ++steps) {
+    for (int steps = 1; turn && steps <= step_limit && !result.explained(); ++steps) {
       decisions_ = first;
       reference_ = untouched;
       (void)search(steps, result);
@@ -174,8 +174,8 @@ bool agrees(const Vec3<float>& kernels, const Vec3<float>& reference, const Vec3
 }
 
 Explanation explain(const World<float>& world, int x, int y, const SampleId& id, const Vec3<float>& kernels,
-                    const Tolerance& tolerance) {
-  return Explainer(world, x, y, id, kernels, tolerance).explain();
+                    const Tolerance& tolerance, bool turn) {
+  return Explainer(world, x, y, id, kernels, tolerance).explain(turn);
 }
 
 std::string describe(const World<float>& world, const TurnedDecision& t) {

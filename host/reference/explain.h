@@ -35,9 +35,10 @@ struct Explanation {
   [[nodiscard]] bool explained() const { return agrees || !turned.empty(); }
 };
 
-/// Explains one sample in float. kernels: its radiance as the kernels have it.
+/// Explains one sample in float. kernels: its radiance as the kernels have it. turn: whether decisions are
+/// turned; else only the spread is looked at.
 [[nodiscard]] Explanation explain(const World<float>& world, int x, int y, const SampleId& id,
-                                  const Vec3<float>& kernels, const Tolerance& tolerance);
+                                  const Vec3<float>& kernels, const Tolerance& tolerance, bool turn = true);
 
 /// "the edge of triangle 12 of box.obj, at the ray to interaction 2: margin 3e-08, spread 1e-07"
 [[nodiscard]] std::string describe(const World<float>& world, const TurnedDecision& turned);

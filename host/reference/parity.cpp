@@ -1,6 +1,6 @@
 #include "reference/parity.h"
 
-#include <glm/gtc/type_precision.hpp>
+#include <atomic>
 #include <mutex>
 #include <tuple>
 
@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t pixels_at_a_time = 64;
 constexpr int block_side = 16;
+/// Unexplained samples after which further ones are not searched for turned decisions.
+constexpr int searched_faults = 200;
 constexpr double block_significance = 0.01;
 
 float largest_difference(const Vec3<float>& a, const Vec3<float>& b) { return largest_component(a - b); }
@@ -109,7 +111,7 @@ class Comparison {
   }
 
   void compare_sample(int x, int y, const SampleId& id, const Vec3<float>& g, const Vec3<float>& f,
-                      const BranchHash& branches, Share& share) const {
+                      const BranchHash& branches, Share& share) {
     ParityReport& counts = share.counts;
     if (equal_bits(g, f)) ++counts.identical;
     const float size = largest_component(f);
@@ -119,8 +121,11 @@ class Comparison {
     if (agrees(g, f, Vec3<double>(0), report_.tolerance.relative)) {
       counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
     } else {
-      const Explanation e = explain(float_world_, x, y, id, g, report_.tolerance);
+      // Where a fault is plain, the search for turned decisions would take long and tell nothing new.
+      const bool turn = unexplained_ < searched_faults;
+      const Explanation e = explain(float_world_, x, y, id, g, report_.tolerance, turn);
       explained = e.explained();
+      if (!explained) ++unexplained_;
       if (e.agrees) {
         ++counts.ill_conditioned;
         counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
@@ -237,6 +242,7 @@ class Comparison {
   Film double_film_;
   Film kernel_film_;
   std::mutex mutex_;
+  std::atomic<int> unexplained_{0};
   ParityReport report_;
   std::vector<float> differences_;
   Spectrum spectrum_;
