@@ -21,7 +21,7 @@ namespace facet::cli {
 namespace {
 
 constexpr int default_spp = 4;
-constexpr double most_samples = 1e9;
+constexpr double most_samples = 2.5e8;
 /// Diverged samples that are listed for people.
 constexpr std::size_t listed_samples = 10;
 constexpr std::size_t listed_suspects = 5;
@@ -35,9 +35,9 @@ class ParityJob {
     if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
     load();
     compare();
-    if (was_interrupted()) return ExitCode::interrupted;
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (options_.json != "-") print();
+    if (was_interrupted()) return ExitCode::interrupted;
     return failings_.empty() ? ExitCode::done : ExitCode::check_failed;
   }
 
@@ -135,6 +135,7 @@ class ParityJob {
         {"driver", device_.driver},
         {"integrator", scene_.integrator.type.name},
         {"sampling", options_.sampling},
+        {"complete", !was_interrupted()},
         {"samples", r.samples},
         {"tolerance", {{"relative", r.tolerance.relative}, {"spread_factor", r.tolerance.spread_factor}}},
         {"code",
@@ -142,6 +143,7 @@ class ParityJob {
           {"identical_pixels", r.identical_pixels},
           {"pixels", r.pixels},
           {"ill_conditioned_samples", r.ill_conditioned},
+          {"untestable_samples", r.untestable},
           {"largest_relative_difference", r.largest_difference},
           {"percentile_99_9", r.percentile_difference},
           {"diverged_samples", r.diverged.size()},
@@ -177,18 +179,31 @@ class ParityJob {
     fmt::print(
         "  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they agree\n",
         r.percentile_difference, r.largest_difference);
-    fmt::print("  within their spread only {} samples\n", r.ill_conditioned);
+    fmt::print("  within their spread only {} samples; {} have a spread beyond 10 % of themselves\n",
+               r.ill_conditioned, r.untestable);
     fmt::print("  diverged                 {} samples ({:.4f} %), {} unexplained\n", r.diverged.size(),
                share(r.diverged.size(), r.samples), r.unexplained());
     fmt::print("  film against its samples {:.2g}\n", r.film_difference);
     fmt::print("reference in float against double:\n");
     fmt::print("  same branches            {:.3f} % of samples\n", share(r.same_branches, r.samples));
+    print_noise();
+    print_diverged();
+    for (const std::string& line : failings_) fmt::print("FAILED: {}\n", line);
+    if (was_interrupted()) fmt::print("interrupted: this is what was compared until then\n");
+    if (failings_.empty() && !was_interrupted()) fmt::print("parity holds\n");
+  }
+
+  void print_noise() const {
+    const reference::ParityReport& r = report_;
+    if (!r.noise_known) {
+      fmt::print(
+          "  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is unknown\n",
+          r.precision_rms, r.largest_precision);
+      return;
+    }
     fmt::print("  RMS difference           {:.2g}, {:.2g} of the noise of 1024 samples; {:.2g} at most\n",
                r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0, r.largest_precision);
     fmt::print("  means of 16x16 pixels    largest z {:.2f} of {:.2f}\n", r.block_z, r.critical_z);
-    print_diverged();
-    for (const std::string& line : failings_) fmt::print("FAILED: {}\n", line);
-    if (failings_.empty()) fmt::print("parity holds\n");
   }
 
   void print_diverged() const {
@@ -201,7 +216,7 @@ class ParityJob {
                  d.y, d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y,
                  d.reference.z);
       if (d.turned.empty()) {
-        fmt::print("  UNEXPLAINED; again: {}\n", command_for(d));
+        fmt::print("  UNEXPLAINED; again (and with --backend reference): {}\n", command_for(d));
         fmt::print("  decided by least: {}\n", d.nearest);
       }
       for (const std::string& reason : d.reasons) fmt::print("  turned: {}\n", reason);

@@ -80,7 +80,7 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
       ->check(CLI::Range(-1, 1 << 30));
   command.add_option("--resolution", o.resolution, "Size of the image, WxH");
   command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
-  command.add_option("--pixel", o.pixel, "Render only the pixel X,Y and print its value");
+  command.add_option("--pixel", o.pixel, "Compute only the pixel X,Y; render prints its value");
   command.add_option("--seed", o.seed, "Seed of the random numbers");
   command.add_option("--sample-range", o.sample_range,
                      "Render only the samples A:B of each pixel (B excluded)");

@@ -16,15 +16,21 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
     if (!dangling) target_ = resolved;
   }
   temporary_ = target_;
+  // Devices and pipes are written to, not replaced.
+  std::error_code unknown;
+  in_place_ = std::filesystem::is_other(target_, unknown);
+  if (in_place_) return;
   temporary_ += fmt::format(".{}.part", ::getpid());
 }
 
 AtomicFile::~AtomicFile() {
+  if (in_place_) return;
   std::error_code ignored;
   std::filesystem::remove(temporary_, ignored);
 }
 
 void AtomicFile::commit() {
+  if (in_place_) return;
   std::error_code error;
   std::filesystem::rename(temporary_, target_, error);
   if (error) throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));

@@ -1,5 +1,7 @@
 #include "image/files.h"
 
+#include <unistd.h>
+
 #include <fstream>
 
 #include "core/error.h"
@@ -37,6 +39,12 @@ void check_writable(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path))
     throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
   const AtomicFile file(path);
+  // Opening a pipe would wait for its reader.
+  if (file.in_place()) {
+    if (::access(path.c_str(), W_OK) != 0)
+      throw InputError(fmt::format("{}: cannot write: no permission", path.string()));
+    return;
+  }
   if (!std::ofstream(file.temporary())) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const char* why = std::filesystem::is_directory(folder) ? "no permission" : "no such folder";

@@ -36,6 +36,7 @@ class Choice {
     double fraction = 0;
   };
   [[nodiscard]] Outcome choose(std::uint32_t word) const {
+    if (ends_.empty()) return {};
     word = std::min(word, 0xfffffffeU);
     const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, word);
     const auto entry = static_cast<std::size_t>(end - ends_.begin());

@@ -90,6 +90,10 @@ class Explainer {
 
   /// A decision's margin in units of what rounding can do to it; up to 1 it is at rounding level.
   [[nodiscard]] double ratio(const TurnedDecision& t) const {
+    // An exact 0 that no rounding moves is the same 0 for every renderer; only among equal distances the
+    // order is anybody's.
+    if (t.margin == 0 && t.spread == 0 && t.key.kind != DecisionKind::order)
+      return std::numeric_limits<double>::infinity();
     return std::abs(t.margin) / std::max(tolerance_.spread_factor * t.spread, least_margin);
   }
 
@@ -168,7 +172,8 @@ bool agrees(const Vec3<float>& kernels, const Vec3<float>& reference, const Vec3
     const auto g = static_cast<double>(kernels[c]);
     const auto f = static_cast<double>(reference[c]);
     if (!std::isfinite(g) && !std::isfinite(f)) continue;
-    if (!(std::abs(g - f) <= relative * std::abs(f) + slack[c])) return false;
+    const double allowed = relative * std::abs(f) + slack[c] + std::numeric_limits<float>::min();
+    if (!(std::abs(g - f) <= allowed)) return false;
   }
   return true;
 }

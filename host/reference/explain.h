@@ -43,7 +43,8 @@ struct Explanation {
 /// "the edge of triangle 12 of box.obj, at the ray to interaction 2: margin 3e-08, spread 1e-07"
 [[nodiscard]] std::string describe(const World<float>& world, const TurnedDecision& turned);
 
-/// |G - F| <= relative |F| in all channels; not finite: alike.
+/// |G - F| <= relative |F| + slack + 1.2e-38 in all channels (below, floats lose their digits, and kernels
+/// may flush them); not finite: alike.
 [[nodiscard]] bool agrees(const Vec3<float>& kernels, const Vec3<float>& reference, const Vec3<double>& slack,
                           double relative);
 

@@ -35,7 +35,7 @@ double invert(const Filter& filter, double a, double b, double mass) {
   return (low + high) / 2;
 }
 
-/// Where a filter that has negative outer lobes passes through 0; `width` for one that has none.
+/// Where a filter that has negative outer lobes passes through 0; beyond the width for one that has none.
 double crossing_of(const Filter& filter, double width) {
   double outside = width * (1 - 1e-6);
   if (filter_value(filter, outside) >= 0) return 2 * width;

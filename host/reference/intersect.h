@@ -1,7 +1,6 @@
 #pragma once
 // Rays against triangles and tree. The test is S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
-// Intersection", JCGT 2(1), 2013, as published: permuted axes, a shear, and edge functions again in double
-// where one is 0.
+// Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again in double where it is 0.
 #include <algorithm>
 
 #include "reference/geometry.h"
@@ -151,7 +150,9 @@ template <typename Real>
   traverse(geometry.tree, ray, Real(0), [&](std::uint32_t first, std::uint32_t count, Real& t_max) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const PlaneHit<Real> plane = meet_plane(shear, ray.origin, geometry.triangles[i]);
-      if (!plane.inside || !plane.valid || !(plane.t > ray.t_min && plane.t < hit.t)) continue;
+      if (!plane.inside || !plane.valid || !(plane.t > ray.t_min && plane.t < ray.t_max)) continue;
+      // Of equal distances the triangle of the lower number counts, whatever is visited first.
+      if (plane.t > hit.t || (plane.t == hit.t && i > hit.triangle)) continue;
       hit = {plane.t, i, plane.b[1], plane.b[2]};
       t_max = plane.t;
     }

@@ -17,6 +17,8 @@ constexpr std::size_t pixels_at_a_time = 64;
 constexpr int block_side = 16;
 /// Unexplained samples after which further ones are not searched for turned decisions.
 constexpr int searched_faults = 200;
+/// A sample that agrees only by a tolerance larger than this share of itself says nothing.
+constexpr double untestable_spread = 0.1;
 constexpr double block_significance = 0.01;
 
 float largest_difference(const Vec3<float>& a, const Vec3<float>& b) { return largest_component(a - b); }
@@ -114,7 +116,7 @@ class Comparison {
                       const BranchHash& branches, Share& share) {
     ParityReport& counts = share.counts;
     if (equal_bits(g, f)) ++counts.identical;
-    const float size = largest_component(f);
+    const float size = std::max(largest_component(f), largest_component(g));
     const float difference = g == f ? 0 : largest_difference(g, f) / std::max(size, ulp(0.0F));
     share.differences.push_back(difference);
     bool explained = true;
@@ -128,6 +130,9 @@ class Comparison {
       if (!explained) ++unexplained_;
       if (e.agrees) {
         ++counts.ill_conditioned;
+        if (report_.tolerance.spread_factor * largest_component(e.spread) >
+            untestable_spread * static_cast<double>(size))
+          ++counts.untestable;
         counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
       } else {
         DivergedSample diverged{x, y, id.index, g, f, e.turned, {}, {}};
@@ -151,6 +156,7 @@ class Comparison {
     r.samples += s.samples;
     r.identical += s.identical;
     r.ill_conditioned += s.ill_conditioned;
+    r.untestable += s.untestable;
     r.largest_difference = std::max(r.largest_difference, s.largest_difference);
     r.diverged.insert(r.diverged.end(), s.diverged.begin(), s.diverged.end());
     r.bad_kernel_samples += s.bad_kernel_samples;
@@ -188,6 +194,7 @@ class Comparison {
 
   void compare_precisions() {
     ParityReport& r = report_;
+    const std::uint32_t samples_per_pixel = settings_.end_sample - settings_.first_sample;
     if (r.same_branches > 0)
       r.precision_rms = std::sqrt(r.precision_rms / (3 * static_cast<double>(r.same_branches)));
     double variance = 0;
@@ -200,6 +207,7 @@ class Comparison {
       }
     }
     const double values = 3 * static_cast<double>(r.pixels);
+    r.noise_known = samples_per_pixel > 1;
     r.noise_1024 = std::sqrt(variance / values / 1024);
     r.image_rms = std::sqrt(squares / values);
     const int across = (float_film_.width + block_side - 1) / block_side;

@@ -35,6 +35,7 @@ struct ParityReport {
   std::uint64_t samples = 0;
   std::uint64_t identical = 0;        ///< samples equal in all bits
   std::uint64_t ill_conditioned = 0;  ///< samples that agree by their spread only
+  std::uint64_t untestable = 0;       ///< of these, samples whose tolerance is beyond 10 % of themselves
   double largest_difference = 0;      ///< |G - F| / |F| over samples that agree
   double percentile_difference = 0;   ///< its 99.9th percentile over all samples
   std::vector<DivergedSample> diverged;
@@ -49,6 +50,7 @@ struct ParityReport {
   std::uint64_t same_branches = 0;  ///< samples for which F and D decided alike
   double precision_rms = 0;         ///< RMS of F - D over them
   double largest_precision = 0;     ///< largest |F - D| over them, W sr^-1 m^-2
+  bool noise_known = false;         ///< at least two samples a pixel: noise and blocks can be tested
   double noise_1024 = 0;            ///< RMS of the noise of 1024 samples a pixel
   double image_rms = 0;             ///< RMS of the samples themselves, W sr^-1 m^-2
   double block_z = 0;               ///< largest z of F against D over blocks of 16x16 pixels

@@ -30,12 +30,16 @@ std::vector<std::string> ParityReport::failings() const {
     list.push_back(
         fmt::format("the kernels' film differs from the sum of its samples by {:.2g}, more than {:.2g}",
                     film_difference, largest_film_difference));
-  if (precision_rms > precision_bound())
+  if (100 * untestable > samples)
+    list.push_back(
+        fmt::format("{} of {} samples are so ill-conditioned that they cannot be tested, more than 1 %",
+                    untestable, samples));
+  if (noise_known && precision_rms > precision_bound())
     list.push_back(
         fmt::format("float differs from double by {:.2g} RMS, more than {:.2g}, 0.01 of the noise of 1024 "
                     "samples (two ulps in an image without noise)",
                     precision_rms, precision_bound()));
-  if (block_z > critical_z)
+  if (noise_known && block_z > critical_z)
     list.push_back(
         fmt::format("a block's means in float and double differ by {:.1f} standard errors, more than {:.1f}",
                     block_z, critical_z));

@@ -61,7 +61,7 @@ template <typename Real>
     const Hit<Real>& higher = hits[lower_chosen ? i : chosen];
     const std::uint64_t pair = (std::uint64_t{lower.triangle} << 32U) + higher.triangle;
     const auto margin = static_cast<double>((higher.t - lower.t) / std::abs(hits[0].t));
-    if (watch.decide(DecisionKind::order, pair, margin > 0, margin) != lower_chosen) chosen = i;
+    if (watch.decide(DecisionKind::order, pair, margin >= 0, margin) != lower_chosen) chosen = i;
   }
   return hits[chosen];
 }

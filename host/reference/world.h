@@ -21,18 +21,20 @@ class World {
       const double power = add_emitter(emitter);
       weights.push_back(parsed.emitter_selection == EmitterSelection::uniform && power > 0 ? 1 : power);
     }
-    by_power_ = Choice(weights);
+    choice_ = Choice(weights);
   }
 
   /// A direction from a surface towards some emitter; the density includes the choice of the emitter.
   template <typename Probe>
   [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from, const Block& block,
                                                    Probe& probe) const {
-    const std::size_t chosen = by_power_.choose(block.word(shared::EMITTER_CHOICE)).entry;
+    const std::size_t chosen = choice_.choose(block.word(shared::EMITTER_CHOICE)).entry;
+    // Where no emitter has power, none is sampled.
+    if (!(choice_.probability(chosen) > 0)) return {};
     probe.uses(Part::emitter_sample, chosen);
     const auto& light = lights_[chosen];
     EmitterSample<Real> s = light ? light->sample(from, block, probe) : environment_->sample(block, probe);
-    s.pdf *= static_cast<Real>(by_power_.probability(chosen));
+    s.pdf *= static_cast<Real>(choice_.probability(chosen));
     return s;
   }
 
@@ -44,7 +46,7 @@ class World {
     if (emitter == none) return {};
     const AreaLight<Real>& light = *lights_[emitter];
     return {emitter, light.emission(s, d, probe),
-            light.pdf(s, d, distance) * static_cast<Real>(by_power_.probability(emitter))};
+            light.pdf(s, d, distance) * static_cast<Real>(choice_.probability(emitter))};
   }
 
   /// What a ray finds that leaves the scene.
@@ -53,7 +55,7 @@ class World {
     if (!environment_) return {};
     Found<Real> found = environment_->find(d, probe);
     found.emitter = environment_index_;
-    found.pdf *= static_cast<Real>(by_power_.probability(environment_index_));
+    found.pdf *= static_cast<Real>(choice_.probability(environment_index_));
     return found;
   }
 
@@ -79,7 +81,7 @@ class World {
   std::deque<std::optional<AreaLight<Real>>> lights_;  ///< by emitter; empty for the environment
   std::optional<Environment<Real>> environment_;
   std::uint32_t environment_index_ = none;
-  Choice by_power_;
+  Choice choice_;
 };
 
 }  // namespace facet::reference

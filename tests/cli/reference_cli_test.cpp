@@ -100,6 +100,31 @@ TEST_F(ReferenceCliTest, ParityHoldsAndReports) {
   EXPECT_LE(json["precision"]["same_branches"], json["samples"]);
 }
 
+TEST_F(ReferenceCliTest, LightsWithoutPowerAreDark) {
+  folder_.write("nothing.obj", "v 0 1 0\nv 1e-25 1 0\nv 0 1 1e-25\nf 1 2 3\n");
+  write_scene("scene.xml", floor() + mesh("nothing.obj", "<emitter type=\"area\"/>"));
+  for (const char* integrator : {"direct_ems", "path_mis"}) {
+    const Result result =
+        run({"render", "scene.xml", "--backend", "reference", "--integrator", integrator, "--json", "-"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["error_estimate"]["relmse"], 0);
+    EXPECT_EQ(run({"parity", "scene.xml", "--integrator", integrator}).code, 0);
+  }
+}
+
+TEST_F(ReferenceCliTest, DevicesAreWrittenToAndNotReplaced) {
+  EXPECT_EQ(run({"parity", "scene.xml", "--spp", "1", "--json", "/dev/null"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_EQ(run({"parity", "scene.xml", "--spp", "1", "--json", "/dev/full"}).code, 2);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(ReferenceCliTest, OneSampleAPixelIsEnough) {
+  const Result result = run({"parity", "scene.xml", "--spp", "1"});
+  EXPECT_EQ(result.code, 0) << result.out;
+  expect_words(result.out, {"noise of one sample a pixel is unknown"});
+}
+
 TEST_F(ReferenceCliTest, ParityOfOnePixelAndOfASceneWithoutLight) {
   EXPECT_EQ(run({"parity", "scene.xml", "--pixel", "8,8", "--sample-range", "7:8"}).code, 0);
   write_scene("dark.xml", floor());
