@@ -48,6 +48,7 @@ class ParityJob {
     apply_to_scene(options_, scene_);
     if (!options_.spp) scene_.sample_count = default_spp;
     settings_ = make_settings(options_, scene_);
+    settings_.variance = true;
     check_sample_count();
     warn_about_scene(scene_, diagnostics);
     print_warnings(diagnostics);

@@ -170,6 +170,9 @@ class Comparison {
 
   /// The kernels' film against their own samples, added up here under the reference's filter.
   void compare_films(const Film& film) {
+    double largest_square = 0;
+    for (const PixelSums& p : kernel_film_.pixels)
+      largest_square = std::max({largest_square, p.squares[0], p.squares[1], p.squares[2]});
     const Image g = develop(film, false);
     const Image f = develop(float_film_, false);
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
@@ -187,7 +190,12 @@ class Comparison {
           report_.film_difference =
               std::max(report_.film_difference, difference / std::max(size, static_cast<double>(ulp(0.0F))));
         identical = identical && g.at(x, y, c) == f.at(x, y, c);
+        // Squares of values far below the image's largest underflow in the kernels' floats.
+        if (film.has_squares && own.squares[k] > 1e-20 * largest_square)
+          report_.film_difference =
+              std::max(report_.film_difference, std::abs(kernels.squares[k] / own.squares[k] - 1));
       }
+      if (own.samples != kernels.samples) ++report_.miscounted_pixels;
       if (identical) ++report_.identical_pixels;
     }
   }

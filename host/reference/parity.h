@@ -43,7 +43,9 @@ struct ParityReport {
   std::uint64_t bad_kernel_samples = 0;
   std::uint64_t bad_reference_samples = 0;
 
-  double film_difference = 0;  ///< kernels' film against their own samples under the reference's filter
+  /// Kernels' sums of values and squares against their own samples under the reference's filter.
+  double film_difference = 0;
+  std::uint64_t miscounted_pixels = 0;  ///< pixels whose samples the kernels' film counts wrong
   std::uint64_t identical_pixels = 0;
   std::uint64_t pixels = 0;
 

@@ -30,6 +30,8 @@ std::vector<std::string> ParityReport::failings() const {
     list.push_back(
         fmt::format("the kernels' film differs from the sum of its samples by {:.2g}, more than {:.2g}",
                     film_difference, largest_film_difference));
+  if (miscounted_pixels > 0)
+    list.push_back(fmt::format("the kernels' film counts the samples of {} pixels wrong", miscounted_pixels));
   if (100 * untestable > samples)
     list.push_back(
         fmt::format("{} of {} samples are so ill-conditioned that they cannot be tested, more than 1 %",

@@ -55,7 +55,7 @@ enum class Part : std::uint8_t {
   emission_found,  ///< emission of emitter i found by a BSDF sample, with its density
   emission_seen,   ///< emission of emitter i seen by the camera
   roulette,        ///< Russian roulette was played
-  shadow_ray,
+  blocked_shadow_ray,
 };
 
 struct Feature {

@@ -32,8 +32,8 @@ std::string part_name(const Scene& scene, const Feature& f) {
       return fmt::format("{} seen by the camera", emitter_name(scene, f.index));
     case Part::roulette:
       return "Russian roulette";
-    case Part::shadow_ray:
-      return "shadow rays";
+    case Part::blocked_shadow_ray:
+      return "blocked shadow rays";
   }
   return "";
 }

@@ -66,7 +66,6 @@ class Tracer {
 
   [[nodiscard]] bool occluded(const Ray<Real>& ray) {
     ++counts_.any;
-    probe_.uses(Part::shadow_ray, 0);
     bool found = false;
     if constexpr (Probe::watches) {
       found = any_hit(world_.geometry, ray, probe_);
@@ -122,19 +121,23 @@ class Tracer {
     const EmitterSample<Real> e = world_.sample_emitter(s, block, probe_);
     const Vec3<Real> wi = probe_.nudged(at.frame.to_local(e.direction));
     if (!above(wi) || !(e.pdf > 0)) return Vec3<Real>(0);
-    probe_.uses(Part::bsdf_eval, at.bsdf.type());
     Vec3<Real> light = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (wi.z / e.pdf);
-    if (integrator_.type.material_sampling) {
-      probe_.uses(Part::bsdf_pdf, at.bsdf.type());
-      light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
-    }
+    if (integrator_.type.material_sampling) light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
     if (light == Vec3<Real>(0)) return light;
     Ray<Real> shadow{s.origin_towards(e.direction, 0, probe_), e.direction};
     if (!e.at_infinity) {
       shadow.direction = probe_.nudged(e.end - shadow.origin);
       shadow.t_max = 1;
     }
-    return occluded(shadow) ? Vec3<Real>(0) : light;
+    if (occluded(shadow)) {
+      probe_.uses(Part::blocked_shadow_ray, 0);
+      return Vec3<Real>(0);
+    }
+    // What does not contribute cannot be at fault.
+    probe_.uses(Part::emitter_sample, e.emitter);
+    probe_.uses(Part::bsdf_eval, at.bsdf.type());
+    if (integrator_.type.material_sampling) probe_.uses(Part::bsdf_pdf, at.bsdf.type());
+    return light;
   }
 
   [[nodiscard]] bool above(const Vec3<Real>& w) {

@@ -31,9 +31,9 @@ class World {
     const std::size_t chosen = choice_.choose(block.word(shared::EMITTER_CHOICE)).entry;
     // Where no emitter has power, none is sampled.
     if (!(choice_.probability(chosen) > 0)) return {};
-    probe.uses(Part::emitter_sample, chosen);
     const auto& light = lights_[chosen];
     EmitterSample<Real> s = light ? light->sample(from, block, probe) : environment_->sample(block, probe);
+    s.emitter = chosen;
     s.pdf *= static_cast<Real>(choice_.probability(chosen));
     return s;
   }

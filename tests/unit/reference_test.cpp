@@ -5,6 +5,8 @@
 
 #include "reference/bsdf/beckmann.h"
 #include "reference/bsdf/fresnel.h"
+#include "reference/bsdf/roughconductor.h"
+#include "reference/bsdf/roughsubstrate.h"
 #include "reference/choice.h"
 #include "reference/filter.h"
 #include "reference/intersect.h"
@@ -100,6 +102,52 @@ TEST(Reference, dielectric_reflectance_is_fresnels) {
     }
   }
   EXPECT_EQ(dielectric_reflectance(0.3, 1.5, 1.5, 0, probe), 0);
+}
+
+// The models written out plainly from their definitions: a misreading that kernels and reference shared would
+// show here.
+TEST(Reference, bsdf_values_are_their_definitions) {
+  Unwatched probe;
+  const auto d_of = [](double cos_h, double alpha) {
+    const double tan2 = 1 / (cos_h * cos_h) - 1;
+    if (tan2 / (alpha * alpha) >= 87) return 0.0;  // docs/sampling.md
+    return std::exp(-tan2 / (alpha * alpha)) / (std::numbers::pi * alpha * alpha * std::pow(cos_h, 4));
+  };
+  const auto g1_of = [](double cosine, double alpha) {
+    const double b = 1 / (alpha * std::tan(std::acos(cosine)));
+    return b >= 1.6 ? 1 : (3.535 * b + 2.181 * b * b) / (1 + 2.276 * b + 2.577 * b * b);
+  };
+  const bsdf::RoughConductor metal{Color(0.9F, 0.5F, 0.1F), 0.4F};
+  const bsdf::RoughSubstrate paint{Color(0.2F, 0.5F, 0.8F), 0.3F, 1.0F, 1.5F};
+  const RoughConductor<double> conductor(metal, LobeSampling::visible);
+  const RoughSubstrate<double> substrate(paint, LobeSampling::visible);
+  for (const double to : {0.1, 0.7, 1.2, 1.5}) {
+    for (const double ti : {0.2, 0.6, 1.1, 1.45}) {
+      for (const double phi : {0.0, 1.0, 2.5, 3.1}) {
+        const Vec3<double> wo(std::sin(to), 0, std::cos(to));
+        const Vec3<double> wi(std::sin(ti) * std::cos(phi), std::sin(ti) * std::sin(phi), std::cos(ti));
+        const Vec3<double> h = glm::normalize(wo + wi);
+        const double c = glm::dot(h, wi);
+        const auto lobe = [&](double alpha) {
+          return d_of(h.z, alpha) * g1_of(wi.z, alpha) * g1_of(wo.z, alpha) / (4 * wi.z * wo.z);
+        };
+        const double ct = std::sqrt(1 - (1 - c * c) / (1.5 * 1.5));
+        const double rs = (c - 1.5 * ct) / (c + 1.5 * ct);
+        const double rp = (1.5 * c - ct) / (1.5 * c + ct);
+        const double base = 28 / (23 * std::numbers::pi) * (1 - 0.04) * (1 - std::pow(1 - wi.z / 2, 5)) *
+                            (1 - std::pow(1 - wo.z / 2, 5));
+        for (int k = 0; k < 3; ++k) {
+          const auto r0 = static_cast<double>(metal.r0[k]);
+          const double expected =
+              lobe(static_cast<double>(metal.alpha)) * (r0 + (1 - r0) * std::pow(1 - c, 5));
+          EXPECT_NEAR(conductor.eval(wo, wi, probe)[k], expected, 1e-9 * expected);
+          const double coat = lobe(static_cast<double>(paint.alpha)) * (rs * rs + rp * rp) / 2;
+          EXPECT_NEAR(substrate.eval(wo, wi, probe)[k] / (static_cast<double>(paint.kd[k]) * base + coat), 1,
+                      1e-9);
+        }
+      }
+    }
+  }
 }
 
 TEST(Reference, choices_are_the_kernels_choices) {

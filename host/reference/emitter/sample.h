@@ -7,6 +7,7 @@ namespace facet::reference {
 
 template <typename Real>
 struct EmitterSample {
+  std::size_t emitter = 0;        ///< index into Scene::emitters
   Vec3<Real> direction{0, 0, 1};  ///< unit, from the surface point
   Vec3<Real> radiance{0};
   Real pdf = 0;       ///< sr^-1
