@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
-#include "core/text.h"
+#include "cli/sample_ranges.h"
 #include "image/part.h"
 
 namespace facet::cli {
@@ -20,18 +19,6 @@ std::string quoted(const std::string& word) {
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
-}
-
-/// The samples A:B of each pixel.
-std::optional<std::pair<long long, long long>> sample_range(const Image& image) {
-  const std::optional<std::string> text = find_metadata(image, "facet.samples");
-  if (!text) return std::nullopt;
-  const std::size_t colon = text->find(':');
-  if (colon == std::string::npos) return std::nullopt;
-  const auto first = parse_integer(std::string_view(*text).substr(0, colon));
-  const auto end = parse_integer(std::string_view(*text).substr(colon + 1));
-  if (!first || !end) return std::nullopt;
-  return std::pair(*first, *end);
 }
 
 }  // namespace
@@ -72,10 +59,12 @@ bool share_samples(const Image& a, const Image& b) {
     const std::optional<std::string> value = find_metadata(a, key);
     if (!value || value != find_metadata(b, key)) return false;
   }
-  const auto range_a = sample_range(a);
-  const auto range_b = sample_range(b);
-  return range_a && range_b &&
-         std::max(range_a->first, range_b->first) < std::min(range_a->second, range_b->second);
+  const auto ranges_of = [](const Image& image) {
+    return SampleRanges::parse(find_metadata(image, "facet.samples").value_or(""));
+  };
+  const auto ranges_a = ranges_of(a);
+  const auto ranges_b = ranges_of(b);
+  return ranges_a && ranges_b && !ranges_a->common(*ranges_b).empty();
 }
 
 }  // namespace facet::cli

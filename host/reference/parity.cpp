@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "image/z_test.h"
+#include "reference/crop.h"
 #include "reference/suspects.h"
 #include "reference/tracer.h"
 
@@ -25,10 +26,6 @@ float largest_difference(const Vec3<float>& a, const Vec3<float>& b) { return la
 
 bool equal_bits(const Vec3<float>& a, const Vec3<float>& b) {
   return glm::floatBitsToUint(a) == glm::floatBitsToUint(b);
-}
-
-bool is_good(const Vec3<float>& v) {
-  return v.x >= 0 && v.y >= 0 && v.z >= 0 && std::isfinite(v.x + v.y + v.z);
 }
 
 /// One sample of every pixel, in all three renderings.
@@ -80,24 +77,16 @@ class Comparison {
     Spectrum spectrum;
   };
 
-  static Film blank_film(const Scene& scene, const RenderSettings& settings) {
-    const Crop& c = settings.crop;
-    return make_film(c.x1 - c.x0, c.y1 - c.y0, {c.x0, c.y0, scene.camera.width, scene.camera.height}, true);
-  }
-
   void compare_pixel(std::size_t i, std::uint32_t sample, const Vec3<float>& g, Share& share) {
-    const auto width = static_cast<std::size_t>(float_film_.width);
-    const int x = settings_.crop.x0 + static_cast<int>(i % width);
-    const int y = settings_.crop.y0 + static_cast<int>(i / width);
-    const SampleId id{static_cast<std::uint32_t>(y * float_world_.scene.camera.width + x), sample,
-                      settings_.seed};
+    const CropSample at(float_world_.scene, settings_, i, sample);
     BranchHash f_branches;
     BranchHash d_branches;
-    const Vec3<float> f = Tracer<float, BranchHash>(float_world_, id, f_branches).radiance(x, y);
-    const Vec3<double> d = Tracer<double, BranchHash>(double_world_, id, d_branches).radiance(x, y);
-    add_to(float_film_.pixels[i], f, float_world_.camera.filter_sample(id).weight);
-    add_to(double_film_.pixels[i], d, double_world_.camera.filter_sample(id).weight);
-    add_to(kernel_film_.pixels[i], g, float_world_.camera.filter_sample(id).weight);
+    const Vec3<float> f = Tracer<float, BranchHash>(float_world_, at.id, f_branches).radiance(at.x, at.y);
+    const Vec3<double> d = Tracer<double, BranchHash>(double_world_, at.id, d_branches).radiance(at.x, at.y);
+    const float weight = float_world_.camera.filter_sample(at.id).weight;
+    add_to(float_film_.pixels[i], f, weight);
+    add_to(kernel_film_.pixels[i], g, weight);
+    add_to(double_film_.pixels[i], d, double_world_.camera.filter_sample(at.id).weight);
 
     ParityReport& counts = share.counts;
     ++counts.samples;
@@ -109,10 +98,10 @@ class Comparison {
       share.squared_difference += glm::dot(difference, difference);
       counts.largest_precision = std::max(counts.largest_precision, largest_component(difference));
     }
-    compare_sample(x, y, id, g, f, f_branches, share);
+    compare_sample(at, g, f, f_branches, share);
   }
 
-  void compare_sample(int x, int y, const SampleId& id, const Vec3<float>& g, const Vec3<float>& f,
+  void compare_sample(const CropSample& at, const Vec3<float>& g, const Vec3<float>& f,
                       const BranchHash& branches, Share& share) {
     ParityReport& counts = share.counts;
     if (equal_bits(g, f)) ++counts.identical;
@@ -125,7 +114,7 @@ class Comparison {
     } else {
       // Where a fault is plain, the search for turned decisions would take long and tell nothing new.
       const bool turn = unexplained_ < searched_faults;
-      const Explanation e = explain(float_world_, x, y, id, g, report_.tolerance, turn);
+      const Explanation e = explain(float_world_, at.x, at.y, at.id, g, report_.tolerance, turn);
       explained = e.explained();
       if (!explained) ++unexplained_;
       if (e.agrees) {
@@ -135,7 +124,7 @@ class Comparison {
           ++counts.untestable;
         counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
       } else {
-        DivergedSample diverged{x, y, id.index, g, f, e.turned, {}, {}};
+        DivergedSample diverged{at.x, at.y, at.id.index, g, f, e.turned, {}, {}};
         if (e.nearest) diverged.nearest = describe(float_world_, *e.nearest);
         for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(float_world_, t));
         counts.diverged.push_back(std::move(diverged));

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/parallel.h"
+#include "reference/crop.h"
 #include "reference/tracer.h"
 
 namespace facet::reference {
@@ -14,14 +15,6 @@ namespace {
 constexpr std::size_t pixels_at_a_time = 64;
 /// Samples a pass at most, over all pixels: between passes progress is told.
 constexpr std::uint64_t samples_per_pass = 1U << 18U;
-
-template <typename Real>
-bool is_good(const Vec3<Real>& radiance) {
-  for (int c = 0; c < 3; ++c) {
-    if (!(radiance[c] >= 0 && radiance[c] <= std::numeric_limits<Real>::max())) return false;
-  }
-  return true;
-}
 
 template <typename Real>
 class Pass {
@@ -50,20 +43,17 @@ class Pass {
 
  private:
   void add_sample(std::size_t pixel, std::uint32_t sample, RayCounts& counts, std::uint64_t& bad) {
-    const int x = settings_.crop.x0 + static_cast<int>(pixel % static_cast<std::size_t>(film_.width));
-    const int y = settings_.crop.y0 + static_cast<int>(pixel / static_cast<std::size_t>(film_.width));
-    const auto number = static_cast<std::uint32_t>(y * world_.scene.camera.width + x);
-    const SampleId id{number, sample, settings_.seed};
+    const CropSample at(world_.scene, settings_, pixel, sample);
     Unwatched unwatched;
-    Tracer<Real, Unwatched> tracer(world_, id, unwatched);
-    const Vec3<Real> radiance = tracer.radiance(x, y);
+    Tracer<Real, Unwatched> tracer(world_, at.id, unwatched);
+    const Vec3<Real> radiance = tracer.radiance(at.x, at.y);
     counts.closest += tracer.counts().closest;
     counts.any += tracer.counts().any;
     if (!is_good(radiance)) {
       ++bad;
       return;
     }
-    const Vec3<Real> value = radiance * world_.camera.filter_sample(id).weight;
+    const Vec3<Real> value = radiance * world_.camera.filter_sample(at.id).weight;
     film_.pixels[pixel].add({value.x, value.y, value.z});
   }
 
@@ -81,9 +71,7 @@ template <typename Real>
 Film render(const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress,
             RenderStatistics& statistics) {
   const World<Real> world(scene, settings.sampling);
-  const Crop& crop = settings.crop;
-  Film film = make_film(crop.x1 - crop.x0, crop.y1 - crop.y0,
-                        {crop.x0, crop.y0, scene.camera.width, scene.camera.height}, true);
+  Film film = blank_film(scene, settings);
   const auto start = std::chrono::steady_clock::now();
   const auto pixels = static_cast<std::uint64_t>(film.pixels.size());
   const std::uint64_t total = pixels * (settings.end_sample - settings.first_sample);
