@@ -1,5 +1,6 @@
 #pragma once
 // Small maths over GLM: boxes, colours, transforms of points and normals.
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 
@@ -10,6 +11,9 @@ using glm::dvec3;
 using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
+
+/// Stands for no index.
+inline constexpr std::uint32_t none = 0xffffffffU;
 
 /// Linear colour, Rec. 709 primaries.
 using Color = glm::vec3;

@@ -1,6 +1,8 @@
 #pragma once
 // Image files. Writers write to a temporary name beside the target and rename it: a failed write never
 // destroys the file that was there.
+#include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include "image/image.h"
@@ -14,6 +16,19 @@ namespace facet {
 /// Reads a PNG of 8 bits a channel as linear R, G and B; what is transparent is laid over black.
 /// Throws InputError where the file is missing, unreadable, damaged or of 16 bits a channel.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
+
+/// A PNG's bytes.
+struct ByteImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< R, G, B; rows from the top
+};
+
+/// read_png without the decoding of sRGB.
+[[nodiscard]] ByteImage read_png_bytes(const std::filesystem::path& path);
+
+/// Linear values of the 256 codes of sRGB, IEC 61966-2-1.
+[[nodiscard]] const std::array<float, 256>& srgb_values();
 
 /// Reads an EXR or a PNG, by its extension.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);

@@ -22,7 +22,6 @@ std::uint8_t encode_srgb(float linear) {
   return static_cast<std::uint8_t>(std::lround(v * 255));
 }
 
-/// IEC 61966-2-1: the linear values of the 256 codes.
 std::array<float, 256> decode_table() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -55,7 +54,12 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 
 }  // namespace
 
-Image read_png(const std::filesystem::path& path) {
+const std::array<float, 256>& srgb_values() {
+  static const std::array<float, 256> values = decode_table();
+  return values;
+}
+
+ByteImage read_png_bytes(const std::filesystem::path& path) {
   check_readable(path);
   PngFile png;
   const auto fail = [&] {
@@ -66,13 +70,18 @@ Image read_png(const std::filesystem::path& path) {
   if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
     throw InputError(fmt::format("{}: has 16 bits a channel; PNGs of 8 are read", path.string()));
   png.format = PNG_FORMAT_RGB;
-  std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(png.width) * png.height);
+  ByteImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
+  image.pixels.resize(3 * static_cast<std::size_t>(png.width) * png.height);
   const png_color black{};
-  if (png_image_finish_read(&png, &black, pixels.data(), 0, nullptr) == 0) fail();
-  static const std::array<float, 256> linear = decode_table();
-  Image image(static_cast<int>(png.width), static_cast<int>(png.height), {"R", "G", "B"});
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    image.plane(static_cast<int>(i % 3))[i / 3] = linear.at(pixels[i]);
+  if (png_image_finish_read(&png, &black, image.pixels.data(), 0, nullptr) == 0) fail();
+  return image;
+}
+
+Image read_png(const std::filesystem::path& path) {
+  const ByteImage bytes = read_png_bytes(path);
+  Image image(bytes.width, bytes.height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < bytes.pixels.size(); ++i)
+    image.plane(static_cast<int>(i % 3))[i / 3] = srgb_values().at(bytes.pixels[i]);
   return image;
 }
 

@@ -60,13 +60,40 @@ class Hash {
   void add(const Bsdf& bsdf) {
     const shared::BsdfRecord record = pack_bsdf(bsdf);
     add(bsdf_type_names.at(bsdf.index()));
+    add(record.flags);
+    add(record.texture_a);
+    add(record.texture_b);
+    add(record.texture_alpha);
     add(record.a);
     add(record.b);
   }
   void add(const AreaEmitter& emitter) {
-    const auto& [mesh, radiance] = emitter;
+    const auto& [mesh, radiance, texture] = emitter;
     add(mesh);
     add(radiance);
+    add(texture);
+  }
+  void add(const PointLight& emitter) {
+    const auto& [position, intensity] = emitter;
+    add(position);
+    add(intensity);
+  }
+  void add(const CheckerTexture& texture) {
+    const auto& [first, second, scale_x, scale_y] = texture;
+    add(first);
+    add(second);
+    add(scale_x);
+    add(scale_y);
+  }
+  void add(const BitmapTexture& texture) {
+    const auto& [width, height, texels, srgb, factor, scale_x, scale_y] = texture;
+    add(width);
+    add(height);
+    add(texels);
+    add(srgb ? 1 : 0);
+    add(factor);
+    add(scale_x);
+    add(scale_y);
   }
   void add(const EnvironmentEmitter& emitter) {
     const auto& [width, height, texels] = emitter;
@@ -98,10 +125,12 @@ class Hash {
     add(filter);
   }
   void add(const Integrator& integrator) {
-    const auto& [type, max_depth, heuristic] = integrator;
+    const auto& [type, max_depth, heuristic, position, energy] = integrator;
     add(type.name);
     add(integrator.interaction_limit());
     add(static_cast<int>(heuristic));
+    add(position);
+    add(energy);
   }
 
   [[nodiscard]] std::uint64_t value() const {
@@ -119,12 +148,13 @@ class Hash {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [file, meshes, bsdfs, emitters, camera, integrator, sample_count, seed, emitter_selection] =
+  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, emitter_selection] =
       scene;
   Hash hash;
   hash.add(meshes);
   hash.add(bsdfs);
   hash.add(emitters);
+  hash.add(textures);
   hash.add(camera);
   hash.add(integrator);
   hash.add(static_cast<int>(emitter_selection));

@@ -17,7 +17,7 @@ enum KernelId : int {
 const std::vector<IntegratorType>& integrator_types() {
   static const std::vector<IntegratorType> types{
 #define FACET_TYPE(name, kernel, ems, mats, interactions) \
-  {#name, kernel_##kernel, (ems) != 0, (mats) != 0, interactions},
+  {#name, kernel_##kernel, (ems) != 0, (ems) == 2, (mats) != 0, interactions},
       FACET_INTEGRATOR_LIST(FACET_TYPE)
 #undef FACET_TYPE
   };

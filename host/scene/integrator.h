@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/maths.h"
 #include "shared/integrator_list.h"
 
 namespace facet {
@@ -15,6 +16,7 @@ struct IntegratorType {
   std::string_view name;
   int kernel;              ///< id of the shading kernel
   bool emitter_sampling;   ///< direct light by sampling emitters
+  bool every_emitter;      ///< each of them; paths then go on at delta lobes alone
   bool material_sampling;  ///< direct light by sampling BSDFs
   int interactions;        ///< most surface interactions, -1: unlimited
 };
@@ -29,6 +31,8 @@ struct Integrator {
   IntegratorType type{};
   int max_depth = -1;  ///< surface interactions, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
+  vec3 position{0};  ///< of the light of `simple`
+  Color energy{1};   ///< of that light, W
 
   /// Most surface interactions under both limits, -1: unlimited.
   [[nodiscard]] int interaction_limit() const {

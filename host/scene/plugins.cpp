@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.h"
 #include "scene/integrator.h"
 #include "shared/bsdf_list.h"
 #include "shared/emitter_list.h"
@@ -20,17 +21,8 @@ std::vector<PluginInfo> make_plugins() {
       {"rfilter", "mitchell", true},
       {"rfilter", "tent", true},
       {"rfilter", "box", true},
-      {"bsdf", "mirror", false},
-      {"bsdf", "dielectric", false},
-      {"bsdf", "microfacet", false},
-      {"bsdf", "roughdielectric", false},
-      {"bsdf", "fresnelblend", false},
-      {"texture", "textmap", false},
-      {"texture", "checker", false},
-      {"emitter", "pointlight", false},
-      {"integrator", "simple", false},
-      {"integrator", "whitted", false},
-      {"integrator", "direct_whitted", false},
+      {"texture", "textmap", true},
+      {"texture", "checker", true},
       {"test", "ttest", false},
       {"test", "chi2test", false},
   };
@@ -50,6 +42,17 @@ std::vector<PluginInfo> make_plugins() {
 const std::vector<PluginInfo>& plugins() {
   static const std::vector<PluginInfo> list = make_plugins();
   return list;
+}
+
+void fail_unknown_type(const PropertyReader& properties, const std::string& tag) {
+  for (const PluginInfo& plugin : plugins()) {
+    if (plugin.tag == tag && plugin.type == properties.type()) {
+      throw InputError(properties.location(), fmt::format("{} is not supported yet", properties.title()));
+    }
+  }
+  const std::string mend = did_you_mean(properties.type(), plugin_types(tag));
+  throw InputError(properties.location(),
+                   fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));
 }
 
 std::vector<std::string> plugin_types(std::string_view tag) {

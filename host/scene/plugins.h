@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/xml/property_reader.h"
+
 namespace facet {
 
 struct PluginInfo {
@@ -13,6 +15,9 @@ struct PluginInfo {
 };
 
 [[nodiscard]] const std::vector<PluginInfo>& plugins();
+
+/// Ends reading at a plugin that does not exist, or not yet.
+[[noreturn]] void fail_unknown_type(const PropertyReader& properties, const std::string& tag);
 
 /// Types of a tag, supported or not.
 [[nodiscard]] std::vector<std::string> plugin_types(std::string_view tag);

@@ -6,22 +6,11 @@
 #include "scene/emitter/readers.h"
 #include "scene/mesh/obj.h"
 #include "scene/plugins.h"
+#include "scene/texture/reader.h"
 
 namespace facet {
 
 namespace {
-
-/// Ends reading at a plugin that does not exist, or not yet.
-[[noreturn]] void fail_unknown_type(const PropertyReader& properties, const std::string& tag) {
-  for (const PluginInfo& plugin : plugins()) {
-    if (plugin.tag == tag && plugin.type == properties.type()) {
-      throw InputError(properties.location(), fmt::format("{} is not supported yet", properties.title()));
-    }
-  }
-  const std::string mend = did_you_mean(properties.type(), plugin_types(tag));
-  throw InputError(properties.location(),
-                   fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));
-}
 
 /// Reads the scene's parts into it; one object a file.
 class SceneReader {
@@ -118,6 +107,10 @@ class SceneReader {
     if (!type) fail_unknown_type(p, "integrator");
     // The name lives in the table, not in the file's text.
     scene_.integrator.type = *type;
+    if (p.type() == "simple") {
+      scene_.integrator.position = p.point("position", scene_.integrator.position);
+      scene_.integrator.energy = p.radiance("energy", scene_.integrator.energy);
+    }
     if (scene_.integrator.needs_emitters()) {
       scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
       scene_.integrator.heuristic =
@@ -137,7 +130,7 @@ class SceneReader {
     const auto bsdf = p.only_child("bsdf");
     scene_.bsdfs.push_back(bsdf ? read_bsdf(*bsdf) : Bsdf(bsdf::Diffuse{}));
     if (const auto emitter = p.only_child("emitter")) {
-      PropertyReader e = open(*emitter);
+      PropertyReader e = open_textured(*emitter);
       if (e.type() != "area") {
         if (e.type() == "environment" || e.type() == "pointlight") {
           throw InputError(e.location(), fmt::format("{} belongs to the scene, not to a mesh", e.title()));
@@ -153,15 +146,13 @@ class SceneReader {
   }
 
   Bsdf read_bsdf(const pugi::xml_node& node) {
-    PropertyReader p = open(node);
+    PropertyReader p = open_textured(node);
     std::optional<Bsdf> bsdf;
 #define FACET_READ(name, Type, id) \
   if (p.type() == #name) bsdf = bsdf::Type::read(p);
     FACET_BSDF_LIST(FACET_READ)
 #undef FACET_READ
     if (!bsdf) fail_unknown_type(p, "bsdf");
-    // Which textures a parameter takes is its reader's and finish()'s care.
-    (void)p.children("texture");
     p.finish(diagnostics_);
     return *bsdf;
   }
@@ -170,11 +161,34 @@ class SceneReader {
     PropertyReader p = open(node);
     if (p.type() == "area")
       throw InputError(p.location(), "emitter \"area\" belongs to a mesh, not to the scene");
-    if (p.type() != "environment") fail_unknown_type(p, "emitter");
-    if (scene_.environment() != none)
-      throw InputError(p.location(), "the scene has more than one environment");
-    scene_.emitters.emplace_back(read_environment_emitter(p));
+    if (p.type() == "environment") {
+      if (scene_.environment() != none)
+        throw InputError(p.location(), "the scene has more than one environment");
+      scene_.emitters.emplace_back(read_environment_emitter(p));
+    } else if (p.type() == "pointlight") {
+      scene_.emitters.emplace_back(read_point_light(p));
+    } else {
+      fail_unknown_type(p, "emitter");
+    }
     p.finish(diagnostics_);
+  }
+
+  /// An object tag with a type, whose parameters may be textures.
+  PropertyReader open_textured(const pugi::xml_node& node) {
+    (void)open(node);
+    return {xml_, node, [this](const pugi::xml_node& texture, float most) { return add_texture(texture, most); }};
+  }
+
+  std::uint32_t add_texture(const pugi::xml_node& node, float most) {
+    PropertyReader p = open(node);
+    Texture texture = read_texture(p);
+    p.finish(diagnostics_);
+    if (maximum(texture) > most) {
+      throw InputError(p.location(), fmt::format("{} reaches {:g}, but \"{}\" lies between 0 and {:g}", p.title(),
+                                                 maximum(texture), node.attribute("name").value(), most));
+    }
+    scene_.textures.push_back(std::move(texture));
+    return static_cast<std::uint32_t>(scene_.textures.size() - 1);
   }
 
   /// An object tag with a type.

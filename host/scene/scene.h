@@ -13,10 +13,9 @@
 #include "scene/bsdf/bsdf.h"
 #include "scene/filter.h"
 #include "scene/integrator.h"
+#include "scene/texture/texture.h"
 
 namespace facet {
-
-inline constexpr std::uint32_t none = 0xffffffffU;
 
 /// Triangles with what they look like. World space. Indices are zero-based; the three kinds of vertex data
 /// have lists of their own, as in OBJ files.
@@ -39,8 +38,15 @@ struct Mesh {
 
 /// One-sided emission of a mesh.
 struct AreaEmitter {
-  std::uint32_t mesh = 0;  ///< index into Scene::meshes
-  Color radiance{1};       ///< W sr^-1 m^-2, scale included
+  std::uint32_t mesh = 0;        ///< index into Scene::meshes
+  Color radiance{1};             ///< W sr^-1 m^-2, scale included
+  std::uint32_t texture = none;  ///< a factor on the radiance; index into Scene::textures
+};
+
+/// Light from a point, equal in all directions.
+struct PointLight {
+  vec3 position{0, 100, 0};
+  Color intensity{1};  ///< W sr^-1
 };
 
 /// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the file: up
@@ -51,7 +57,8 @@ struct EnvironmentEmitter {
   std::vector<Color> texels;
 };
 
-using Emitter = std::variant<AreaEmitter, EnvironmentEmitter>;
+/// Any emitter; the alternative's index is the id of the shared list.
+using Emitter = std::variant<AreaEmitter, EnvironmentEmitter, PointLight>;
 
 /// Nori's perspective camera: looks along +z of its space, +x to the right of the image, +y up: a left-handed
 /// view, so that a bare <lookat> (whose x is the viewer's left) mirrors the world, as in Nori, and files undo
@@ -74,6 +81,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Bsdf> bsdfs;
   std::vector<Emitter> emitters;
+  std::vector<Texture> textures;
   Camera camera;
   Integrator integrator;
   int sample_count = 1;
@@ -84,6 +92,8 @@ struct Scene {
   [[nodiscard]] Box bounds() const;
   /// Index of the environment among the emitters, none without one.
   [[nodiscard]] std::uint32_t environment() const;
+  /// Radiance of an area emitter for its share of emitter samples: with the mean of its texture.
+  [[nodiscard]] Color mean_radiance(const AreaEmitter& emitter) const;
 };
 
 }  // namespace facet

@@ -7,6 +7,11 @@
 #define FACET_BSDF_LIST(X)             \
   X(diffuse, Diffuse, 0)               \
   X(roughconductor, RoughConductor, 1) \
-  X(roughsubstrate, RoughSubstrate, 2)
+  X(roughsubstrate, RoughSubstrate, 2) \
+  X(mirror, Mirror, 3)                 \
+  X(dielectric, Dielectric, 4)         \
+  X(microfacet, Microfacet, 5)         \
+  X(fresnelblend, FresnelBlend, 6)     \
+  X(roughdielectric, RoughDielectric, 7)
 
 #endif

@@ -4,6 +4,7 @@
 
 #define FACET_EMITTER_LIST(X) \
   X(area, 0)                  \
-  X(environment, 1)
+  X(environment, 1)           \
+  X(pointlight, 2)
 
 #endif

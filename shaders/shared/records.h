@@ -32,7 +32,7 @@ struct BvhNode {
 struct TriangleRecord {
   uvec4 v0;  // w: the mesh's index
   uvec4 v1;  // w: the triangle's index in the scene, in order of reading
-  uvec4 v2;  // w: index into the vertex-normal indices, NONE without normals
+  uvec4 v2;  // w: index into the attributes' indices, NONE without any
 };
 
 struct MeshRecord {
@@ -42,9 +42,22 @@ struct MeshRecord {
   uint unused1;
 };
 
-/// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf.
+// Flags of a BSDF.
+FACET_CONSTANT uint BSDF_DELTA = 1u;         // scatters into single directions only
+FACET_CONSTANT uint BSDF_TRANSMITS = 2u;     // has a lower side
+FACET_CONSTANT uint BSDF_GGX = 4u;           // GGX instead of Beckmann
+FACET_CONSTANT uint BSDF_EXACT_MASKING = 8u; // Smith's G1 instead of Walter's rational one
+FACET_CONSTANT uint BSDF_CONDUCTOR = 16u;    // Fresnel term of a conductor instead of Schlick's
+FACET_CONSTANT uint BSDF_MULTISCATTER = 32u; // energy of multiple scattering is given back
+
+/// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf. A texture's value
+/// takes the place of the constant; NONE: none does.
 struct BsdfRecord {
-  uint type;  // id of bsdf_list.h
+  uint type;           // id of bsdf_list.h
+  uint flags;
+  uint texture_a;      // for a.rgb
+  uint texture_b;      // for b.rgb
+  uint texture_alpha;  // its luminance for a.w
   uint unused0;
   uint unused1;
   uint unused2;
@@ -52,17 +65,28 @@ struct BsdfRecord {
   vec4 b;
 };
 
+/// A texture: a checker of two colours, or an image.
+struct TextureRecord {
+  vec4 first;   // rgb: first colour, or the factor on the image; w: cells or images per unit of u
+  vec4 second;  // rgb: second colour; w: per unit of v
+  uint width;   // texels; 0: a checker
+  uint height;
+  uint first_texel;  // index into the texels, each 0x00bbggrr
+  uint decoding;     // index of the image's table of 256 values of a byte
+};
+
 struct EmitterRecord {
-  vec4 radiance;        // rgb, W sr^-1 m^-2; w: area in m^2 (area emitters)
+  vec4 radiance;        // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1); w: area in m^2 (area emitters)
+  vec4 position;        // world space (point lights)
   uint type;            // id of emitter_list.h
   uint cumulative;      // the emitter is chosen by the words below this and not below its predecessor's
                         // (docs/sampling.md)
   uint first_triangle;  // range of emitter_triangles
   uint triangle_count;
   float probability;  // of being chosen
+  uint texture;       // its value is a factor on the radiance; NONE: none
   uint unused0;
   uint unused1;
-  uint unused2;
 };
 
 /// One triangle of an area emitter: x: cumulative count of bits within its mesh, y: index of the Triangle.
@@ -103,6 +127,8 @@ struct FrameRecord {
   float filter_scale;     // integral of |f| over integral of f, along one axis
   float square_scale;  // power of two that values are multiplied by before they are squared: squares stay in
                        // range
+  vec4 simple_position;  // of the `simple` integrator's light, world space
+  vec4 simple_energy;    // rgb: its energy over 4 pi^2
 };
 
 struct RayRecord {
@@ -117,9 +143,12 @@ struct HitRecord {
   float b2;
 };
 
+/// Stands for the density of a delta lobe.
+FACET_CONSTANT float DELTA_PDF = -1.0f;
+
 struct PathRecord {
-  vec4 throughput;  // rgb; w: pdf of the BSDF sample that made the ray, sr^-1
-  vec4 radiance;    // rgb, W sr^-1 m^-2
+  vec4 throughput;  // rgb; w: pdf of the BSDF sample that made the ray, sr^-1, or DELTA_PDF
+  vec4 radiance;    // rgb, W sr^-1 m^-2; w: eta^2, what refraction has taken from the throughput
 };
 
 struct ShadowRayRecord {
@@ -157,7 +186,7 @@ struct PassConstants {
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
-  uint unused0;
+  uint emitter;  // that shade.comp samples, where every emitter is sampled
 };
 
 /// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.
@@ -176,12 +205,13 @@ FACET_SHARED_END
 #ifdef __cplusplus
 namespace facet::shared {
 static_assert(sizeof(BvhNode) == 64 && sizeof(TriangleRecord) == 48 && sizeof(MeshRecord) == 16);
-static_assert(sizeof(BsdfRecord) == 48 && sizeof(EmitterRecord) == 48 && sizeof(EmitterTriangle) == 8);
-static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 128 && sizeof(RayRecord) == 32);
+static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 8);
+static_assert(sizeof(TextureRecord) == 48);
+static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32 && sizeof(ShadowRayRecord) == 48);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
 static_assert(offsetof(FrameRecord, width) == 64 && offsetof(FrameRecord, emitter_count) == 96);
-static_assert(offsetof(EmitterRecord, type) == 16 && offsetof(EmitterRecord, probability) == 32);
+static_assert(offsetof(EmitterRecord, type) == 32 && offsetof(EmitterRecord, probability) == 48);
 }  // namespace facet::shared
 #endif
 #endif

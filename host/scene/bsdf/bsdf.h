@@ -4,8 +4,13 @@
 #include <string_view>
 #include <variant>
 
+#include "scene/bsdf/dielectric.h"
 #include "scene/bsdf/diffuse.h"
+#include "scene/bsdf/fresnelblend.h"
+#include "scene/bsdf/microfacet.h"
+#include "scene/bsdf/mirror.h"
 #include "scene/bsdf/roughconductor.h"
+#include "scene/bsdf/roughdielectric.h"
 #include "scene/bsdf/roughsubstrate.h"
 #include "shared/bsdf_list.h"
 

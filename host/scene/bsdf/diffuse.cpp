@@ -4,11 +4,12 @@
 
 namespace facet::bsdf {
 
-Diffuse Diffuse::read(PropertyReader& properties) { return {properties.reflectance("albedo", Color(0.5F))}; }
+Diffuse Diffuse::read(PropertyReader& properties) { return {properties.textured_reflectance("albedo", Color(0.5F))}; }
 
 shared::BsdfRecord Diffuse::pack() const {
-  shared::BsdfRecord r{};
-  r.a = glm::vec4(albedo, 0);
+  shared::BsdfRecord r = empty_record();
+  r.texture_a = albedo.texture;
+  r.a = glm::vec4(albedo.value, 0);
   return r;
 }
 

@@ -5,12 +5,19 @@
 namespace facet::bsdf {
 
 RoughConductor RoughConductor::read(PropertyReader& properties) {
-  return {properties.reflectance("R0", Color(0.5F)), properties.roughness("alpha", 0.1F)};
+  RoughConductor b;
+  b.r0 = properties.textured_reflectance("R0", b.r0.value);
+  b.alpha = properties.textured_roughness("alpha", b.alpha.value);
+  b.options = MicrofacetOptions::read(properties);
+  return b;
 }
 
 shared::BsdfRecord RoughConductor::pack() const {
-  shared::BsdfRecord r{};
-  r.a = glm::vec4(r0, alpha);
+  shared::BsdfRecord r = empty_record();
+  r.flags = options.flags();
+  r.texture_a = r0.texture;
+  r.texture_alpha = alpha.texture;
+  r.a = glm::vec4(r0.value, alpha.value);
   return r;
 }
 

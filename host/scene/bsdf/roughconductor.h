@@ -1,17 +1,13 @@
 #pragma once
-#include "core/maths.h"
-#include "shared/records.h"
-
-namespace facet {
-class PropertyReader;
-}
+#include "scene/bsdf/rough.h"
 
 namespace facet::bsdf {
 
 /// Rough metal; manual in shaders/bsdf/roughconductor.glsl.
 struct RoughConductor {
-  Color r0{0.5F};
-  float alpha = 0.1F;
+  Textured<Color> r0{Color(0.5F)};
+  Textured<float> alpha{0.1F};
+  MicrofacetOptions options;
 
   static RoughConductor read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

@@ -3,14 +3,15 @@
 namespace facet {
 
 AreaEmitter read_area_emitter(PropertyReader& properties, std::uint32_t mesh) {
-  const Color radiance = properties.radiance("radiance", Color(1));
+  const std::uint32_t texture = properties.texture("radiance", largest_radiance);
+  const Color radiance = texture == none ? properties.radiance("radiance", Color(1)) : Color(1);
   const double scale = properties.real("scale", 1);
   if (scale < 0) properties.fail("scale", "must not be negative");
   const Color scaled(dvec3(radiance) * scale);
   if (!glm::all(glm::lessThanEqual(scaled, Color(largest_radiance)))) {
     properties.fail("scale", fmt::format("makes the radiance more than {:g}", largest_radiance));
   }
-  return {mesh, scaled};
+  return {mesh, scaled, texture};
 }
 
 }  // namespace facet

@@ -22,8 +22,8 @@ bool contains(const std::vector<std::string>& list, std::string_view name) {
 
 }  // namespace
 
-PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object)
-    : xml_(xml), object_(object) {
+PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object, TextureReader read_texture)
+    : xml_(xml), object_(object), read_texture_(std::move(read_texture)) {
   xml.refuse_stray_content(object);
   for (const pugi::xml_node& child : object.children()) {
     if (child.type() != pugi::node_element) continue;
@@ -71,9 +71,41 @@ void PropertyReader::check_textures(const std::string& name) const {
   for (const pugi::xml_node& child : children_) {
     if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
     throw InputError(xml_.location(child),
-                     fmt::format("texture \"{}\" for \"{}\": textures are not supported yet",
-                                 child.attribute("type").value(), name));
+                     texture_names_.contains(name)
+                         ? fmt::format("{}: \"{}\" is given as a property and as a texture", title(), name)
+                         : fmt::format("{}: \"{}\" cannot be a texture", title(), name));
   }
+}
+
+std::uint32_t PropertyReader::texture(const std::string& name, float most) {
+  known_tags_.insert("texture");
+  texture_names_.insert(name);
+  std::uint32_t index = none;
+  for (const pugi::xml_node& child : children_) {
+    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
+    if (index != none)
+      throw InputError(xml_.location(child), fmt::format("{}: texture \"{}\" is given twice", title(), name));
+    index = read_texture_(child, most);
+  }
+  return index;
+}
+
+Textured<Color> PropertyReader::textured_reflectance(const std::string& name, const Color& fallback,
+                                                     const std::string& also_called) {
+  Textured<Color> parameter(fallback);
+  parameter.texture = texture(name, 1);
+  if (!parameter.is_textured() && !also_called.empty()) parameter.texture = texture(also_called, 1);
+  if (!parameter.is_textured() || has(name)) parameter.value = reflectance(name, fallback);
+  known_names_.insert({name, also_called});
+  return parameter;
+}
+
+Textured<float> PropertyReader::textured_roughness(const std::string& name, float fallback) {
+  Textured<float> parameter(fallback);
+  parameter.texture = texture(name, 1);
+  if (!parameter.is_textured() || has(name)) parameter.value = roughness(name, fallback);
+  known_names_.insert(name);
+  return parameter;
 }
 
 std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, const std::string& tag) {
@@ -84,6 +116,29 @@ std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, cons
   if (found->second.name() != tag)
     fail(name, fmt::format("must be a <{}>, not a <{}>", tag, found->second.name()));
   return found->second;
+}
+
+bool PropertyReader::boolean(const std::string& name, bool fallback) {
+  const auto node = find(name, "boolean");
+  if (!node) return fallback;
+  const std::string text = required_attribute(xml_, *node, "value");
+  if (text != "true" && text != "false") fail(name, fmt::format("is \"{}\", but must be true or false", text));
+  return text == "true";
+}
+
+vec3 PropertyReader::point(const std::string& name, const vec3& fallback) {
+  const auto node = find(name, "point");
+  if (!node) return fallback;
+  const std::vector<double> v = read_numbers(xml_, *node, "value", 3, 3);
+  const vec3 p(v[0], v[1], v[2]);
+  if (!std::isfinite(p.x + p.y + p.z)) fail(name, "is too large");
+  return p;
+}
+
+double PropertyReader::number(const std::string& name, double fallback) {
+  const auto found = properties_.find(name);
+  const bool whole = found != properties_.end() && std::string_view(found->second.name()) == "integer";
+  return whole ? integer(name, 0, -(1 << 30), 1 << 30) : real(name, fallback);
 }
 
 double PropertyReader::real(const std::string& name, double fallback) {

@@ -1,6 +1,7 @@
 #pragma once
 // The properties and children of one object tag, handed out by name and type. What nobody asked for draws a
 // warning.
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "core/diagnostics.h"
 #include "core/maths.h"
+#include "scene/texture/textured.h"
 #include "scene/xml/document.h"
 
 namespace facet {
@@ -16,20 +18,30 @@ namespace facet {
 /// Radiances beyond this would overflow on their way to the film.
 inline constexpr float largest_radiance = 1e30F;
 
+/// Reads a <texture> into the scene; returns its index. Throws InputError where a value lies beyond `most`.
+using TextureReader = std::function<std::uint32_t(const pugi::xml_node& texture, float most)>;
+
 class PropertyReader {
  public:
-  /// Throws InputError for tags that are no part of the language.
-  PropertyReader(const XmlDocument& xml, const pugi::xml_node& object);
+  /// Throws InputError for tags that are no part of the language. read_texture: for objects whose parameters may
+  /// be textures.
+  PropertyReader(const XmlDocument& xml, const pugi::xml_node& object, TextureReader read_texture = {});
 
   [[nodiscard]] SourceLocation location() const { return xml_.location(object_); }
   [[nodiscard]] const XmlDocument& xml() const { return xml_; }
   /// `bsdf "diffuse"`, for messages.
   [[nodiscard]] std::string title() const;
   [[nodiscard]] std::string type() const { return object_.attribute("type").value(); }
+  /// Whether the object has a property of that name.
+  [[nodiscard]] bool has(const std::string& name) const { return properties_.contains(name); }
 
   // Each returns the property, or the default where the object has none of that name. A property of another
   // type, or out of the stated range, is an error.
+  bool boolean(const std::string& name, bool fallback);
   double real(const std::string& name, double fallback);
+  /// A <float> or an <integer>.
+  double number(const std::string& name, double fallback);
+  vec3 point(const std::string& name, const vec3& fallback);
   int integer(const std::string& name, int fallback, int least, int most);
   std::string string(const std::string& name, const std::string& fallback);
   Color color(const std::string& name, const Color& fallback);
@@ -40,6 +52,13 @@ class PropertyReader {
   Color radiance(const std::string& name, const Color& fallback);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
+  /// The same from a texture where the object has one of that name, or of the other name, by which the lab calls
+  /// it.
+  Textured<Color> textured_reflectance(const std::string& name, const Color& fallback,
+                                       const std::string& also_called = "");
+  Textured<float> textured_roughness(const std::string& name, float fallback);
+  /// The texture of that name, or none.
+  std::uint32_t texture(const std::string& name, float most);
   /// A positive index of refraction.
   float index_of_refraction(const std::string& name, float fallback);
   /// One of the words.
@@ -65,10 +84,13 @@ class PropertyReader {
   /// The property's node if it is there; an error if its tag is not the given one.
   std::optional<pugi::xml_node> find(const std::string& name, const std::string& tag);
   void check_property(const pugi::xml_node& property) const;
+  /// A property that is given as a texture, too, or only could be one elsewhere, is an error.
   void check_textures(const std::string& name) const;
 
   const XmlDocument& xml_;
   pugi::xml_node object_;
+  TextureReader read_texture_;
+  std::set<std::string> texture_names_;
   std::map<std::string, pugi::xml_node> properties_;
   std::vector<pugi::xml_node> children_;
   std::set<std::string> known_names_;

@@ -1,0 +1,56 @@
+#pragma once
+// Textures: colours over the (u, v) of a surface.
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace facet {
+
+/* checker: cells of two colours.
+
+   | parameter      | default  | meaning                                                  |
+   |----------------|----------|----------------------------------------------------------|
+   | scalex, scaley | 1        | cells per unit of u and v, whole numbers                 |
+   | color          |          | colour of both cells                                     |
+   | color1, color2 | 0.9, 0.1 | colour of the cells where floor(u scalex) + floor(v scaley) is even; odd |
+*/
+struct CheckerTexture {
+  Color first{0.9F};
+  Color second{0.1F};
+  int scale_x = 1;
+  int scale_y = 1;
+};
+
+/* textmap: an image of 8 bits a channel (PNG), bilinear, repeating.
+
+   | parameter      | default | meaning                                                              |
+   |----------------|---------|----------------------------------------------------------------------|
+   | filename       |         | relative to the scene file                                           |
+   | color          | 1       | factor on the image                                                  |
+   | scalex, scaley | 1       | images per unit of u and v                                           |
+   | srgb           | false   | decode sRGB; else a texel is its bytes over 255, as in Nori          |
+
+   (u, v) looks up texel ((1 - u) W, (1 - v) H), row 0 being the top one. */
+struct BitmapTexture {
+  int width = 1;
+  int height = 1;
+  std::vector<std::uint32_t> texels;  ///< 0x00bbggrr, rows from the top
+  bool srgb = false;
+  Color factor{1};
+  float scale_x = 1;
+  float scale_y = 1;
+};
+
+using Texture = std::variant<CheckerTexture, BitmapTexture>;
+
+/// What a byte of an image stands for: itself over 255, or decoded from sRGB (IEC 61966-2-1).
+[[nodiscard]] const std::array<float, 256>& byte_values(bool srgb);
+
+/// Mean over the unit square, cell by cell or texel by texel.
+[[nodiscard]] Color mean(const Texture& texture);
+/// Largest value in any channel.
+[[nodiscard]] float maximum(const Texture& texture);
+
+}  // namespace facet
