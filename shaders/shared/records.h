@@ -49,6 +49,8 @@ FACET_CONSTANT uint BSDF_GGX = 4u;           // GGX instead of Beckmann
 FACET_CONSTANT uint BSDF_EXACT_MASKING = 8u; // Smith's G1 instead of Walter's rational one
 FACET_CONSTANT uint BSDF_CONDUCTOR = 16u;    // Fresnel term of a conductor instead of Schlick's
 FACET_CONSTANT uint BSDF_MULTISCATTER = 32u; // energy of multiple scattering is given back
+/// Those that only rough BSDFs know.
+FACET_CONSTANT uint BSDF_ROUGH_FLAGS = 60u;
 
 /// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf. A texture's value
 /// takes the place of the constant; NONE: none does.
@@ -182,7 +184,7 @@ struct PassConstants {
   uint queue;         // 0 or 1: which half of the queues is read
   uint
       stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
-  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
+  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays, 2 before the next emitter
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
