@@ -4,17 +4,22 @@
    |--------------|----------|------------------------------------------------------------------------|
    | alpha        | 0.1      | roughness, 1e-4 to 1, number or texture                                |
    | R0           | 0.5      | reflectance at normal incidence, colour or texture, by Schlick's term  |
+   | material     |          | a metal by name (`Au`, `Ag`, `Cu`, `Al`, ...: exact Fresnel term, not R0 |
+   | eta, k       |          | its complex index of refraction instead, colours                       |
    | distribution | beckmann | of the microfacets' normals: `beckmann` or `ggx`                       |
    | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, within 0.35 %) or `exact` |
 
    f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf` (wh ~ D cos_h) or `visible` (Heitz
    and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md.
-   Record: a.rgb = R0, a.w = alpha. */
+   Record: a.rgb = R0, a.w = alpha; with an index of refraction, a.rgb = eta, b.rgb = k. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/microfacet.glsl"
 
-vec3 roughconductor_fresnel(BsdfRecord b, float c) { return fresnel_schlick(b.a.rgb, c); }
+vec3 roughconductor_fresnel(BsdfRecord b, float c) {
+  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR)) return fresnel_conductor(b.a.rgb, b.b.rgb, c);
+  return fresnel_schlick(b.a.rgb, c);
+}
 
 vec3 roughconductor_eval(BsdfRecord b, vec3 wo, vec3 wi) {
   Microfacets m = microfacets_of(b);
