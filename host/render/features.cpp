@@ -25,7 +25,11 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
   f.bsdf_flags_all = ~0U;
   for (const Bsdf& bsdf : bsdfs) {
     const std::uint32_t flags = pack_bsdf(bsdf).flags;
-    const bool rough = std::visit([](const auto& b) { return requires { b.options; }; }, bsdf);
+    const bool rough = std::visit(
+        [](const auto& b) {
+          return requires { b.options; };
+        },
+        bsdf);
     f.bsdf_mask |= 1U << bsdf.index();
     f.bsdf_flags_some |= flags;
     // What does not know these flags does not care.

@@ -81,7 +81,8 @@ class Packer {
   [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
 
   /// A triangle's indices of one attribute, moved to the scene's list; x = none without.
-  static glm::uvec4 attribute_of(const std::vector<uvec3>& indices, std::uint32_t triangle, std::uint32_t first) {
+  static glm::uvec4 attribute_of(const std::vector<uvec3>& indices, std::uint32_t triangle,
+                                 std::uint32_t first) {
     if (indices.empty() || indices[triangle].x == none) return glm::uvec4(none);
     return {indices[triangle] + first, 0};
   }
@@ -217,7 +218,7 @@ class Packer {
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
   std::vector<TriangleCorners> corners_;
-  std::vector<std::uint32_t> place_;  ///< of a source triangle in the BVH's order
+  std::vector<std::uint32_t> place_;           ///< of a source triangle in the BVH's order
   std::vector<std::uint32_t> first_normal_;    ///< of each mesh
   std::vector<std::uint32_t> first_texcoord_;  ///< likewise
 };

@@ -12,7 +12,7 @@ namespace facet {
 struct PackedScene {
   Bvh bvh;
   std::vector<shared::TriangleRecord> triangles;  ///< in the BVH's order; triangles without area are left out
-  std::vector<glm::uvec4> normal_indices;  ///< by attribute index; x = none: without normals
+  std::vector<glm::uvec4> normal_indices;         ///< by attribute index; x = none: without normals
   std::vector<vec3> normals;
   std::vector<glm::uvec4> texcoord_indices;  ///< likewise; empty where the scene has no textures
   std::vector<vec2> texcoords;
