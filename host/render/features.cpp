@@ -105,6 +105,7 @@ void Features::add_bsdf_choices(std::vector<std::string>& list) const {
     if (some(shared::BSDF_GGX)) list.emplace_back("GGX distribution");
     if (some(shared::BSDF_EXACT_MASKING)) list.emplace_back("exact masking");
   }
+  if (some(shared::BSDF_MULTISCATTER)) list.emplace_back("multiple scattering");
   if (some(shared::BSDF_DELTA)) list.emplace_back("delta lobes");
   if (some(shared::BSDF_TRANSMITS)) list.emplace_back("transmission");
   if ((texture_kinds & 1U) != 0) list.emplace_back("texture checker");

@@ -1,5 +1,6 @@
 #include "render/packed_scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "core/parallel.h"
 #include "render/choice.h"
 #include "render/texture_table.h"
+#include "scene/bsdf/albedo_table.h"
 
 namespace facet {
 
@@ -46,6 +48,7 @@ class Packer {
     const TextureTable textures = make_texture_table(scene_.textures);
     packed_.textures = textures.records;
     packed_.texels = textures.texels;
+    pack_albedos();
     pack_emitters();
     choose_square_scale();
     packed_.filter = make_filter_table(scene_.camera.filter);
@@ -179,6 +182,13 @@ class Packer {
     }
     packed_.frame.emitter_count = static_cast<std::uint32_t>(packed_.emitters.size());
     packed_.frame.environment_emitter = scene_.environment();
+  }
+
+  void pack_albedos() {
+    const auto needs = [](const shared::BsdfRecord& b) { return (b.flags & shared::BSDF_MULTISCATTER) != 0; };
+    if (std::none_of(packed_.bsdfs.begin(), packed_.bsdfs.end(), needs)) return;
+    for (const bsdf::AlbedoTable& table : bsdf::albedo_tables())
+      packed_.albedos.insert(packed_.albedos.end(), table.begin(), table.end());
   }
 
   /// Brings the brightest emitter near 1, so that squares of radiances neither over- nor underflow.

@@ -18,6 +18,7 @@ struct PackedScene {
   std::vector<vec2> texcoords;
   std::vector<shared::TextureRecord> textures;
   std::vector<std::uint32_t> texels;
+  std::vector<float> albedos;  ///< empty where no BSDF gives back the energy of multiple scattering
   std::vector<shared::MeshRecord> meshes;
   std::vector<shared::BsdfRecord> bsdfs;
   std::vector<shared::EmitterRecord> emitters;

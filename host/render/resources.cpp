@@ -100,6 +100,7 @@ std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedSce
   buffers.push_back(make_scene_buffer(device, p.texcoords, "the texture coordinates"));
   buffers.push_back(make_scene_buffer(device, p.textures, "the textures"));
   buffers.push_back(make_scene_buffer(device, p.texels, "the textures' images"));
+  buffers.push_back(make_scene_buffer(device, p.albedos, "the tables of albedos"));
   buffers.push_back(make_scene_buffer(device, frame, "the frame"));
   return buffers;
 }

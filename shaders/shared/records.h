@@ -52,6 +52,12 @@ FACET_CONSTANT uint BSDF_MULTISCATTER = 32u;  // energy of multiple scattering i
 /// Those that only rough BSDFs know.
 FACET_CONSTANT uint BSDF_ROUGH_FLAGS = 60u;
 
+// Tables of albedos (host/scene/bsdf/albedo_table.h), one after another.
+FACET_CONSTANT uint ALBEDO_NODES = 32u;
+FACET_CONSTANT uint ALBEDO_BECKMANN_RATIONAL = 0u;
+FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
+FACET_CONSTANT uint ALBEDO_GGX = 2u;
+
 /// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf. A texture's value
 /// takes the place of the constant; NONE: none does.
 struct BsdfRecord {
