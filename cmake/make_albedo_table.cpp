@@ -27,7 +27,7 @@ double albedo(double cosine, double alpha, const bsdf::MicrofacetOptions& option
           microfacets.sample_half_vector(wo, (i + 0.5) / points, (j + 0.5) / points, probe);
       const double c = glm::dot(wo, h);
       const Vec3<double> wi = 2 * c * h - wo;
-      if (c > 0 && wi.z > 0) sum += microfacets.reflected_weight(wo, wi, h, c, probe);
+      if (c > 0 && wi.z > 0) sum += microfacets.half_vector_weight(wo, wi, h, c, probe);
     }
   }
   return sum / (points * points / 2);
