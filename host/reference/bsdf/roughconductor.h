@@ -1,6 +1,7 @@
 #pragma once
 #include "reference/bsdf/fresnel.h"
 #include "reference/bsdf/microfacets.h"
+#include "reference/bsdf/multiscatter.h"
 #include "reference/bsdf/sample.h"
 #include "scene/bsdf/roughconductor.h"
 
@@ -14,7 +15,11 @@ class RoughConductor {
 
   template <typename Parameters>
   RoughConductor(const bsdf::RoughConductor& p, Parameters& at, LobeSampling sampling)
-      : r0_(at.color(p.r0)), microfacets_(at.roughness(p.alpha), p.options, sampling) {}
+      : r0_(at.color(p.r0)),
+        alpha_(at.roughness(p.alpha)),
+        microfacets_(alpha_, p.options, sampling),
+        options_(p.options),
+        multiscatter_(p.multiscatter) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -23,7 +28,7 @@ class RoughConductor {
     const HalfVector<Real> half(wo, wi);
     const Real g = microfacets_.masking(wo, wi, probe);
     const Real lobe = microfacets_.density(half.sum, probe) * g / (4 * wi.z * wo.z);
-    return schlick(r0_, half.cosine) * lobe;
+    return reflectance(half.cosine) * gain(wo) * lobe;
   }
 
   template <typename Probe>
@@ -38,7 +43,7 @@ class RoughConductor {
     const Vec3<Real> wi = half.reflect(wo);
     if (!is_above(wi, probe)) return {wi, 0, Vec3<Real>(0)};
     const Real weight = microfacets_.half_vector_weight(wo, wi, h, half.cosine, probe);
-    return {wi, reflected_pdf(wo, half, probe), schlick(r0_, half.cosine) * weight};
+    return {wi, reflected_pdf(wo, half, probe), reflectance(half.cosine) * gain(wo) * weight};
   }
 
  private:
@@ -48,8 +53,20 @@ class RoughConductor {
     return microfacets_.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
   }
 
+  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const { return schlick(r0_, cosine); }
+
+  /// What multiple scattering gives back.
+  [[nodiscard]] Vec3<Real> gain(const Vec3<Real>& wo) const {
+    if (!multiscatter_) return Vec3<Real>(1);
+    const Real lossless = lossless_albedo(options_, alpha_, wo.z);
+    return Real(1) + reflectance(1) * (1 / lossless - 1);
+  }
+
   Vec3<Real> r0_;
+  Real alpha_;
   Microfacets<Real> microfacets_;
+  bsdf::MicrofacetOptions options_;
+  bool multiscatter_;
 };
 
 }  // namespace facet::reference
