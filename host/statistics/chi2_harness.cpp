@@ -96,12 +96,10 @@ Tally count_samples(std::span<const BsdfDraw> draws, const DirectionBins& bins, 
   return total;
 }
 
-std::vector<vec3> pilot_directions(std::span<const BsdfDraw> draws) {
-  std::vector<vec3> directions;
-  for (const BsdfDraw& d : draws) {
-    if (!is_bad(d) && !is_rejected(d) && d.pdf > 0) directions.push_back(d.wi);
-  }
-  return directions;
+/// The samples that have a density.
+std::vector<BsdfDraw> accepted(std::vector<BsdfDraw> draws) {
+  std::erase_if(draws, [](const BsdfDraw& d) { return is_bad(d) || is_rejected(d) || d.pdf < 0; });
+  return draws;
 }
 
 /// Adds up (observed - expected)^2 / expected.
@@ -162,15 +160,16 @@ std::string find_fault(const Chi2Result& r, const Chi2Options& options, double s
 
 Chi2Result test_sampling(BsdfEvaluator& evaluator, const vec3& wo, const Chi2Options& options,
                          double significance) {
-  const std::vector<vec3> pilots = pilot_directions(evaluator.sample(wo, options.pilots, options.seed + 1));
+  const std::vector<BsdfDraw> pilots = accepted(evaluator.sample(wo, options.pilots, options.seed + 1));
   const DirectionBins bins(wo, pilots, options.bins);
-  const PdfIntegral integral = integrate_pdf(evaluator, wo, bins, options.pilots);
+  const PdfIntegral integral = integrate_pdf(evaluator, wo, bins);
   const Tally tally = count_samples(evaluator.sample(wo, options.samples, options.seed), bins,
                                     wo.z < 0 ? -1.0F : 1.0F, options.transmission_scale);
   const double samples = options.samples;
   Chi2Result result;
   result.pdf_integral = integral.total;
   result.integral_error = integral.error + rounding * integral.total;
+  result.evaluations = integral.evaluations;
   result.rejected_share = static_cast<double>(tally.rejected) / samples;
   result.bad_samples = tally.bad;
   result.deltas = tally.deltas;

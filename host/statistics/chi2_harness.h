@@ -39,6 +39,7 @@ struct Chi2Result {
   double pdf_integral = 0;
   double integral_error = 0;  ///< bound on the quadrature's error
   double rejected_share = 0;
+  std::uint64_t evaluations = 0;  ///< of the density, for its integral
   std::uint64_t bad_samples = 0;  ///< NaN, infinite or negative, or of a direction that is not a unit vector
   std::vector<DeltaDirection> deltas;
   MeanWeight weight;

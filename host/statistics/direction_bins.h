@@ -22,19 +22,25 @@ struct Rectangle {
   std::array<double, 2> upper{};
 };
 
+/// A sample that shows where the density is.
+struct Pilot {
+  Coordinates at;
+  double pdf = 0;
+};
+
 /// A rectangle that lies within one bin, with the pilot samples that lie within it.
 struct Cell {
   Rectangle area;
   std::uint32_t bin = 0;
-  std::vector<Coordinates> pilots;
+  std::vector<Pilot> pilots;
 };
 
 /// A tree of rectangles over both hemispheres, split where pilot samples have their medians; z = 0 is a
 /// border.
 class DirectionBins {
  public:
-  /// wo: from which coordinates count; pilots: accepted samples' directions.
-  DirectionBins(const vec3& wo, std::span<const vec3> pilots, std::uint32_t bins);
+  /// wo: from which coordinates count; pilots: accepted samples.
+  DirectionBins(const vec3& wo, std::span<const BsdfDraw> pilots, std::uint32_t bins);
 
   [[nodiscard]] Coordinates coordinates(const vec3& w) const;
   [[nodiscard]] vec3 direction(const Coordinates& c) const;
@@ -52,8 +58,10 @@ class DirectionBins {
     std::uint32_t above = 0;
   };
 
-  std::uint32_t add_node(const Rectangle& area, std::span<Coordinates> pilots, std::uint32_t bins, int axis);
-  void add_cells(const Rectangle& area, std::span<Coordinates> pilots, std::uint32_t count, int axis);
+  std::uint32_t add_node(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t bins, int axis);
+  void add_cell(const Rectangle& area, std::span<const Pilot> pilots);
+  void add_frame(const Rectangle& outer, const Rectangle& inner, std::span<const Pilot> pilots);
+  void add_cells(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t count, int axis);
 
   double axis_x_ = 1;  ///< azimuth 0
   double axis_y_ = 0;
