@@ -46,6 +46,16 @@ std::string describe(const Mesh& mesh, const Scene& scene) {
                      mesh.emitter == none ? "" : ", emits");
 }
 
+std::string describe(const Emitter& emitter, const Scene& scene) {
+  if (const auto* area = std::get_if<AreaEmitter>(&emitter))
+    return fmt::format("area emitter {}", scene.meshes[area->mesh].name);
+  if (const auto* point = std::get_if<PointLight>(&emitter))
+    return fmt::format("point light at {:g}, {:g}, {:g}", point->position.x, point->position.y,
+                       point->position.z);
+  const auto& sky = std::get<EnvironmentEmitter>(emitter);
+  return fmt::format("environment {} x {}", sky.width, sky.height);
+}
+
 ExitCode print_info(const InfoOptions& options) {
   if (options.supported) print_supported();
   if (options.scene.empty()) {
@@ -59,27 +69,26 @@ ExitCode print_info(const InfoOptions& options) {
   const PackedScene packed = pack_scene(scene);
   const Features features = find_features(scene, RenderSettings{});
   const std::size_t geometry = bytes_of(packed.bvh.nodes) + bytes_of(packed.triangles) +
-                               bytes_of(packed.normal_indices) + bytes_of(packed.normals);
+                               bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
+                               bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
-                           bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles);
+                           bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
+                           bytes_of(packed.texels);
   fmt::print("{}: {} x {} pixels, {} samples, {}\n", options.scene, scene.camera.width, scene.camera.height,
              scene.sample_count,
              scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
   fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
              packed.triangles.size());
   for (const Mesh& mesh : scene.meshes) fmt::print("  {}\n", describe(mesh, scene));
-  fmt::print("bsdfs: {}, emitters: {}\n", scene.bsdfs.size(), scene.emitters.size());
+  fmt::print("bsdfs: {}, textures: {}, emitters: {}\n", scene.bsdfs.size(), scene.textures.size(),
+             scene.emitters.size());
   for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
-    const auto* area = std::get_if<AreaEmitter>(&scene.emitters[i]);
-    fmt::print("  {}: chosen with probability {:.3g}\n",
-               area != nullptr ? fmt::format("area emitter {}", scene.meshes[area->mesh].name)
-                               : fmt::format("environment {} x {}", packed.frame.environment_width,
-                                             packed.frame.environment_height),
+    fmt::print("  {}: chosen with probability {:.3g}\n", describe(scene.emitters[i], scene),
                packed.emitters[i].probability);
   }
   fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.nodes.size(),
              packed.bvh.sah_cost, packed.bvh.stack_size, packed.bvh_seconds);
-  fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters {}B\n",
+  fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters and textures {}B\n",
              with_unit_prefix(static_cast<double>(geometry)),
              packed.triangles.empty()
                  ? 0.0

@@ -64,6 +64,16 @@ void check_backend(const RenderOptions& o) {
     throw InputError("--device and --validate belong to --backend vulkan: the reference uses the CPU alone");
 }
 
+void set_masking(Scene& scene, bsdf::Masking masking) {
+  for (Bsdf& bsdf : scene.bsdfs) {
+    std::visit(
+        [masking](auto& b) {
+          if constexpr (requires { b.options; }) b.options.masking = masking;
+        },
+        bsdf);
+  }
+}
+
 LobeSampling lobe_sampling(const std::string& name) {
   if (name == "uniform") return LobeSampling::uniform;
   return name == "ndf" ? LobeSampling::ndf : LobeSampling::visible;
@@ -88,6 +98,8 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
   command
       .add_option("--emitter-selection", o.emitter_selection, "How the emitter of a light sample is chosen")
       ->check(CLI::IsMember({"uniform", "power"}));
+  command.add_option("--masking", o.masking, "Masking function of Beckmann's distribution")
+      ->check(CLI::IsMember({"rational", "exact"}));
   command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
   command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
@@ -114,7 +126,8 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
   command
       .add_option("--sampling", o.sampling,
                   "Half vectors of rough lobes: from the ndf, or visible from the viewer; uniform: the "
-                  "reference ignores what BSDFs know of sampling and takes the uniform hemisphere")
+                  "reference ignores what BSDFs know of sampling and takes the uniform hemisphere (of what "
+                  "transmits, the sphere)")
       ->check(CLI::IsMember({"ndf", "visible", "uniform"}))
       ->capture_default_str();
   add_aov_option(command, o.aovs);
@@ -146,6 +159,8 @@ void apply_to_scene(const RenderOptions& o, Scene& scene) {
     scene.emitter_selection =
         o.emitter_selection == "uniform" ? EmitterSelection::uniform : EmitterSelection::power;
   }
+  if (!o.masking.empty())
+    set_masking(scene, o.masking == "exact" ? bsdf::Masking::exact : bsdf::Masking::rational);
   if (o.resolution) {
     const auto size = parse_integers(*o.resolution, 'x', 2, "--resolution", "WxH");
     check_image_size(size[0], size[1]);

@@ -28,6 +28,7 @@ struct RenderOptions {
   std::string sampling = "visible";
   std::string heuristic;
   std::string emitter_selection;
+  std::string masking;
   std::vector<std::string> aovs;
   float exposure = 0;
   std::string json;

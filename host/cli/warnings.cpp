@@ -42,6 +42,14 @@ void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
     diagnostics.warn(where, fmt::format("the scene has no emitter, which {} needs: the image will be black",
                                         scene.integrator.type.name));
   }
+  const bool point_lights = std::any_of(scene.emitters.begin(), scene.emitters.end(), [](const Emitter& e) {
+    return std::holds_alternative<PointLight>(e);
+  });
+  if (point_lights && scene.integrator.type.material_sampling && !scene.integrator.type.emitter_sampling) {
+    diagnostics.warn(
+        where, fmt::format("{} samples only BSDFs, which never find a point light: its light is missing",
+                           scene.integrator.type.name));
+  }
   for (const Emitter& emitter : scene.emitters) {
     const auto* area = std::get_if<AreaEmitter>(&emitter);
     if (area != nullptr && is_without_area(scene.meshes[area->mesh])) {

@@ -8,6 +8,12 @@ namespace facet {
 
 namespace {
 
+enum BsdfId : std::uint32_t {
+#define FACET_ID(name, Type, id) BSDF_##name = id,
+  FACET_BSDF_LIST(FACET_ID)
+#undef FACET_ID
+};
+
 const std::vector<std::string>& emitter_names() {
 #define FACET_NAME(name, id) #name,
   static const std::vector<std::string> names{FACET_EMITTER_LIST(FACET_NAME)};
@@ -15,11 +21,28 @@ const std::vector<std::string>& emitter_names() {
   return names;
 }
 
+void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
+  f.bsdf_flags_all = ~0U;
+  for (const Bsdf& bsdf : bsdfs) {
+    const std::uint32_t flags = pack_bsdf(bsdf).flags;
+    const bool rough = std::visit(
+        [](const auto& b) {
+          return requires { b.options; };
+        },
+        bsdf);
+    f.bsdf_mask |= 1U << bsdf.index();
+    f.bsdf_flags_some |= flags;
+    // What does not know these flags does not care.
+    f.bsdf_flags_all &= rough ? flags : flags | shared::BSDF_ROUGH_FLAGS;
+  }
+}
+
 }  // namespace
 
 Features find_features(const Scene& scene, const RenderSettings& settings) {
   Features f;
-  for (const Bsdf& bsdf : scene.bsdfs) f.bsdf_mask |= 1U << bsdf.index();
+  add_bsdfs(f, scene.bsdfs);
+  for (const Texture& texture : scene.textures) f.texture_kinds |= 1U << texture.index();
   for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
   f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });
@@ -46,6 +69,10 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_POWER_HEURISTIC] = integrator.heuristic == Heuristic::power ? 1 : 0;
   c[shared::SPEC_ROULETTE] = roulette ? 1 : 0;
   c[shared::SPEC_VARIANCE] = variance ? 1 : 0;
+  c[shared::SPEC_BSDF_FLAGS_SOME] = bsdf_flags_some;
+  c[shared::SPEC_BSDF_FLAGS_ALL] = bsdf_flags_all;
+  c[shared::SPEC_TEXTURE_KINDS] = texture_kinds;
+  c[shared::SPEC_EVERY_EMITTER] = integrator.type.every_emitter ? 1 : 0;
   return c;
 }
 
@@ -58,8 +85,7 @@ std::vector<std::string> Features::names() const {
     for (std::size_t i = 0; i < emitter_names().size(); ++i) {
       if ((emitter_mask >> i & 1U) != 0) list.push_back("emitter " + emitter_names()[i]);
     }
-    const bool rough = (bsdf_mask & ~1U) != 0;
-    if (rough) list.emplace_back(visible_normals ? "visible-normal sampling" : "ndf sampling");
+    add_bsdf_choices(list);
     if (integrator.type.emitter_sampling && integrator.type.material_sampling) {
       list.emplace_back(integrator.heuristic == Heuristic::power ? "power heuristic" : "balance heuristic");
     }
@@ -70,12 +96,30 @@ std::vector<std::string> Features::names() const {
   return list;
 }
 
+void Features::add_bsdf_choices(std::vector<std::string>& list) const {
+  constexpr std::uint32_t smooth = 1U << BSDF_diffuse | 1U << BSDF_mirror | 1U << BSDF_dielectric;
+  const auto some = [this](std::uint32_t flag) { return (bsdf_flags_some & flag) != 0; };
+  if ((bsdf_mask & ~smooth) != 0) {
+    list.emplace_back(visible_normals ? "visible-normal sampling" : "ndf sampling");
+    if ((bsdf_flags_all & shared::BSDF_GGX) == 0) list.emplace_back("Beckmann distribution");
+    if (some(shared::BSDF_GGX)) list.emplace_back("GGX distribution");
+    if (some(shared::BSDF_EXACT_MASKING)) list.emplace_back("exact masking");
+  }
+  if (some(shared::BSDF_MULTISCATTER)) list.emplace_back("multiple scattering");
+  if (some(shared::BSDF_DELTA)) list.emplace_back("delta lobes");
+  if (some(shared::BSDF_TRANSMITS)) list.emplace_back("transmission");
+  if ((texture_kinds & 1U) != 0) list.emplace_back("texture checker");
+  if ((texture_kinds & 2U) != 0) list.emplace_back("texture textmap");
+}
+
 std::uint32_t Features::bounce_limit() const {
   if (!integrator.needs_emitters()) return 1;
   const int limit = integrator.interaction_limit();
   if (limit < 0) return 0;
   // After the last interaction a ray looks for emission, unless emitters are sampled alone.
-  return static_cast<std::uint32_t>(std::max(1, limit + (integrator.type.material_sampling ? 1 : 0)));
+  // So do delta lobes.
+  const bool looks = integrator.type.material_sampling || (bsdf_flags_some & shared::BSDF_DELTA) != 0;
+  return static_cast<std::uint32_t>(std::max(1, limit + (looks ? 1 : 0)));
 }
 
 }  // namespace facet

@@ -11,8 +11,11 @@
 namespace facet {
 
 struct Features {
-  std::uint32_t bsdf_mask = 0;     ///< bit id of the shared list
-  std::uint32_t emitter_mask = 0;  ///< likewise
+  std::uint32_t bsdf_mask = 0;        ///< bit id of the shared list
+  std::uint32_t emitter_mask = 0;     ///< likewise
+  std::uint32_t bsdf_flags_some = 0;  ///< flags of shared/records.h that some BSDF has
+  std::uint32_t bsdf_flags_all = 0;   ///< that all have; of flags for rough BSDFs: all rough ones
+  std::uint32_t texture_kinds = 0;    ///< bit 0: checker, bit 1: textmap
   bool shading_normals = false;
   bool roulette = false;
   bool variance = false;
@@ -25,6 +28,9 @@ struct Features {
   [[nodiscard]] std::vector<std::string> names() const;
   /// Bounces (rays one after another along a path) at most; 0: unlimited.
   [[nodiscard]] std::uint32_t bounce_limit() const;
+
+ private:
+  void add_bsdf_choices(std::vector<std::string>& list) const;
 };
 
 [[nodiscard]] Features find_features(const Scene& scene, const RenderSettings& settings);

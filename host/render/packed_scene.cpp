@@ -1,5 +1,6 @@
 #include "render/packed_scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -7,6 +8,8 @@
 
 #include "core/parallel.h"
 #include "render/choice.h"
+#include "render/texture_table.h"
+#include "scene/bsdf/albedo_table.h"
 
 namespace facet {
 
@@ -38,10 +41,14 @@ class Packer {
     const auto start = std::chrono::steady_clock::now();
     packed_.bvh = build_bvh(corners_);
     packed_.bvh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    pack_normals();
+    gather_attributes();
     pack_triangles();
     for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));
     for (const Mesh& mesh : scene_.meshes) packed_.meshes.push_back({mesh.bsdf, mesh.emitter, 0, 0});
+    const TextureTable textures = make_texture_table(scene_.textures);
+    packed_.textures = textures.records;
+    packed_.texels = textures.texels;
+    pack_albedos();
     pack_emitters();
     choose_square_scale();
     packed_.filter = make_filter_table(scene_.camera.filter);
@@ -63,20 +70,35 @@ class Packer {
     }
   }
 
-  void pack_normals() {
+  void gather_attributes() {
     for (const Mesh& mesh : scene_.meshes) {
       first_normal_.push_back(static_cast<std::uint32_t>(packed_.normals.size()));
       if (!mesh.normal_indices.empty())
         packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
+      first_texcoord_.push_back(static_cast<std::uint32_t>(packed_.texcoords.size()));
+      if (has_textures() && !mesh.texcoord_indices.empty())
+        packed_.texcoords.insert(packed_.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
     }
   }
 
-  /// Index of the triangle's vertex normals, none without.
-  std::uint32_t add_normal_indices(const SourceTriangle& source) {
+  [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
+
+  /// A triangle's indices of one attribute, moved to the scene's list; x = none without.
+  static glm::uvec4 attribute_of(const std::vector<uvec3>& indices, std::uint32_t triangle,
+                                 std::uint32_t first) {
+    if (indices.empty() || indices[triangle].x == none) return glm::uvec4(none);
+    return {indices[triangle] + first, 0};
+  }
+
+  /// Index of the triangle's vertex normals and texture coordinates, none without either.
+  std::uint32_t add_attributes(const SourceTriangle& source) {
     const Mesh& mesh = scene_.meshes[source.mesh];
-    if (mesh.normal_indices.empty() || mesh.normal_indices[source.index].x == none) return none;
-    const uvec3 n = mesh.normal_indices[source.index] + first_normal_[source.mesh];
-    packed_.normal_indices.emplace_back(n, 0);
+    const glm::uvec4 n = attribute_of(mesh.normal_indices, source.index, first_normal_[source.mesh]);
+    glm::uvec4 t(none);
+    if (has_textures()) t = attribute_of(mesh.texcoord_indices, source.index, first_texcoord_[source.mesh]);
+    if (n.x == none && t.x == none) return none;
+    packed_.normal_indices.push_back(n);
+    if (has_textures()) packed_.texcoord_indices.push_back(t);
     return static_cast<std::uint32_t>(packed_.normal_indices.size() - 1);
   }
 
@@ -88,7 +110,7 @@ class Packer {
       const TriangleCorners& c = corners_[s];
       place_[s] = static_cast<std::uint32_t>(packed_.triangles.size());
       packed_.triangles.push_back({position_record(c[0], source.mesh), position_record(c[1], source.id),
-                                   position_record(c[2], add_normal_indices(source))});
+                                   position_record(c[2], add_attributes(source))});
     }
   }
 
@@ -117,7 +139,20 @@ class Packer {
   double pack_area_emitter(const AreaEmitter& e, shared::EmitterRecord& record) {
     const double area = pack_emitter_triangles(e.mesh, record);
     record.radiance = glm::vec4(e.radiance, static_cast<float>(area));
-    return std::numbers::pi * area * luminance(e.radiance);
+    record.texture = e.texture;
+    return std::numbers::pi * area * luminance(scene_.mean_radiance(e));
+  }
+
+  static double pack_point_light(const PointLight& e, shared::EmitterRecord& record) {
+    record.radiance = glm::vec4(e.intensity, 0);
+    record.position = glm::vec4(e.position, 0);
+    return 4 * std::numbers::pi * luminance(e.intensity);
+  }
+
+  double pack_emitter(const Emitter& emitter, shared::EmitterRecord& record) {
+    if (const auto* area = std::get_if<AreaEmitter>(&emitter)) return pack_area_emitter(*area, record);
+    if (const auto* point = std::get_if<PointLight>(&emitter)) return pack_point_light(*point, record);
+    return pack_environment(std::get<EnvironmentEmitter>(emitter));
   }
 
   double pack_environment(const EnvironmentEmitter& e) {
@@ -134,9 +169,8 @@ class Packer {
     for (const Emitter& emitter : scene_.emitters) {
       shared::EmitterRecord record{};
       record.type = static_cast<std::uint32_t>(emitter.index());
-      const auto* area = std::get_if<AreaEmitter>(&emitter);
-      double weight = area != nullptr ? pack_area_emitter(*area, record)
-                                      : pack_environment(std::get<EnvironmentEmitter>(emitter));
+      record.texture = none;
+      double weight = pack_emitter(emitter, record);
       if (scene_.emitter_selection == EmitterSelection::uniform && weight > 0) weight = 1;
       weights.push_back(weight);
       packed_.emitters.push_back(record);
@@ -148,6 +182,13 @@ class Packer {
     }
     packed_.frame.emitter_count = static_cast<std::uint32_t>(packed_.emitters.size());
     packed_.frame.environment_emitter = scene_.environment();
+  }
+
+  void pack_albedos() {
+    const auto needs = [](const shared::BsdfRecord& b) { return (b.flags & shared::BSDF_MULTISCATTER) != 0; };
+    if (std::none_of(packed_.bsdfs.begin(), packed_.bsdfs.end(), needs)) return;
+    for (const bsdf::AlbedoTable& table : bsdf::albedo_tables())
+      packed_.albedos.insert(packed_.albedos.end(), table.begin(), table.end());
   }
 
   /// Brings the brightest emitter near 1, so that squares of radiances neither over- nor underflow.
@@ -178,14 +219,18 @@ class Packer {
     f.filter_intervals = packed_.filter.intervals();
     f.filter_crossing = packed_.filter.crossing;
     f.filter_scale = packed_.filter.scale;
+    constexpr double four_pi2 = 4 * std::numbers::pi * std::numbers::pi;
+    f.simple_position = glm::vec4(scene_.integrator.position, 0);
+    f.simple_energy = glm::vec4(vec3(dvec3(scene_.integrator.energy) / four_pi2), 0);
   }
 
   const Scene& scene_;
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
   std::vector<TriangleCorners> corners_;
-  std::vector<std::uint32_t> place_;  ///< of a source triangle in the BVH's order
-  std::vector<std::uint32_t> first_normal_;
+  std::vector<std::uint32_t> place_;           ///< of a source triangle in the BVH's order
+  std::vector<std::uint32_t> first_normal_;    ///< of each mesh
+  std::vector<std::uint32_t> first_texcoord_;  ///< likewise
 };
 
 }  // namespace

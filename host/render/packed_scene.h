@@ -12,8 +12,13 @@ namespace facet {
 struct PackedScene {
   Bvh bvh;
   std::vector<shared::TriangleRecord> triangles;  ///< in the BVH's order; triangles without area are left out
-  std::vector<glm::uvec4> normal_indices;
+  std::vector<glm::uvec4> normal_indices;         ///< by attribute index; x = none: without normals
   std::vector<vec3> normals;
+  std::vector<glm::uvec4> texcoord_indices;  ///< likewise; empty where the scene has no textures
+  std::vector<vec2> texcoords;
+  std::vector<shared::TextureRecord> textures;
+  std::vector<std::uint32_t> texels;
+  std::vector<float> albedos;  ///< empty where no BSDF gives back the energy of multiple scattering
   std::vector<shared::MeshRecord> meshes;
   std::vector<shared::BsdfRecord> bsdfs;
   std::vector<shared::EmitterRecord> emitters;

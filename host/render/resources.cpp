@@ -96,6 +96,11 @@ std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedSce
   buffers.push_back(make_scene_buffer(device, p.environment.rows, "the environment's rows"));
   buffers.push_back(make_scene_buffer(device, p.environment.columns, "the environment's columns"));
   buffers.push_back(make_scene_buffer(device, p.filter.quantiles, "the filter"));
+  buffers.push_back(make_scene_buffer(device, p.texcoord_indices, "the texture coordinates' indices"));
+  buffers.push_back(make_scene_buffer(device, p.texcoords, "the texture coordinates"));
+  buffers.push_back(make_scene_buffer(device, p.textures, "the textures"));
+  buffers.push_back(make_scene_buffer(device, p.texels, "the textures' images"));
+  buffers.push_back(make_scene_buffer(device, p.albedos, "the tables of albedos"));
   buffers.push_back(make_scene_buffer(device, frame, "the frame"));
   return buffers;
 }
@@ -118,7 +123,9 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
                                const RenderSettings& settings)
     : device_(device),
       fetch_(choose_fetch(device, packed, settings)),
-      shadow_rays_(features.integrator.type.emitter_sampling || features.integrator.type.name == "ao"),
+      shadow_rays_(features.integrator.type.emitter_sampling || features.integrator.type.name == "ao" ||
+                   features.integrator.type.name == "simple"),
+      rounds_(features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size()) : 1),
       variance_(features.variance),
       pixel_count_(crop_pixels(settings.crop)),
       slot_count_(choose_slots(device, settings,
@@ -216,14 +223,22 @@ void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
   gpu::barrier(c);
   dispatch_indirect(c, Kernel::extend, constants, shared::INDIRECT_PATHS);
   gpu::barrier(c);
-  dispatch_indirect(c, Kernel::shade, constants, shared::INDIRECT_PATHS);
-  gpu::barrier(c);
-  if (!shadow_rays_) return;
-  stage.stage = 1;
-  dispatch(c, Kernel::schedule, stage, 1);
-  gpu::barrier(c);
-  dispatch_indirect(c, Kernel::shadow, constants, shared::INDIRECT_SHADOW);
-  gpu::barrier(c);
+  for (std::uint32_t emitter = 0; emitter < rounds_; ++emitter) {
+    stage.emitter = emitter;
+    if (emitter > 0) {
+      stage.stage = 2;
+      dispatch(c, Kernel::schedule, stage, 1);
+      gpu::barrier(c);
+    }
+    dispatch_indirect(c, Kernel::shade, stage, shared::INDIRECT_PATHS);
+    gpu::barrier(c);
+    if (!shadow_rays_) continue;
+    stage.stage = 1;
+    dispatch(c, Kernel::schedule, stage, 1);
+    gpu::barrier(c);
+    dispatch_indirect(c, Kernel::shadow, constants, shared::INDIRECT_SHADOW);
+    gpu::barrier(c);
+  }
 }
 
 std::array<std::uint32_t, shared::COUNTER_WORDS> Renderer::Resources::read_counters() const {

@@ -58,6 +58,7 @@ struct Renderer::Resources {
   gpu::Device& device_;
   GeometryFetch fetch_;
   bool shadow_rays_;
+  std::size_t rounds_;  ///< of shading a bounce: one for each emitter where all are sampled
   bool variance_;
   std::uint32_t pixel_count_;
   std::uint32_t slot_count_;

@@ -148,8 +148,8 @@ class Hash {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, emitter_selection] =
-      scene;
+  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed,
+               emitter_selection] = scene;
   Hash hash;
   hash.add(meshes);
   hash.add(bsdfs);

@@ -13,18 +13,10 @@ namespace {
 
 std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
-      {"mesh", "obj", true},
-      {"camera", "perspective", true},
-      {"sampler", "independent", true},
-      {"sampler", "sobol", false},
-      {"rfilter", "gaussian", true},
-      {"rfilter", "mitchell", true},
-      {"rfilter", "tent", true},
-      {"rfilter", "box", true},
-      {"texture", "textmap", true},
-      {"texture", "checker", true},
-      {"test", "ttest", false},
-      {"test", "chi2test", false},
+      {"mesh", "obj", true},        {"camera", "perspective", true}, {"sampler", "independent", true},
+      {"sampler", "sobol", false},  {"rfilter", "gaussian", true},   {"rfilter", "mitchell", true},
+      {"rfilter", "tent", true},    {"rfilter", "box", true},        {"texture", "textmap", true},
+      {"texture", "checker", true}, {"test", "ttest", false},        {"test", "chi2test", false},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
   FACET_BSDF_LIST(FACET_BSDF)

@@ -176,7 +176,8 @@ class SceneReader {
   /// An object tag with a type, whose parameters may be textures.
   PropertyReader open_textured(const pugi::xml_node& node) {
     (void)open(node);
-    return {xml_, node, [this](const pugi::xml_node& texture, float most) { return add_texture(texture, most); }};
+    return {xml_, node,
+            [this](const pugi::xml_node& texture, float most) { return add_texture(texture, most); }};
   }
 
   std::uint32_t add_texture(const pugi::xml_node& node, float most) {
@@ -184,8 +185,9 @@ class SceneReader {
     Texture texture = read_texture(p);
     p.finish(diagnostics_);
     if (maximum(texture) > most) {
-      throw InputError(p.location(), fmt::format("{} reaches {:g}, but \"{}\" lies between 0 and {:g}", p.title(),
-                                                 maximum(texture), node.attribute("name").value(), most));
+      throw InputError(p.location(),
+                       fmt::format("{} reaches {:g}, but \"{}\" lies between 0 and {:g}", p.title(),
+                                   maximum(texture), node.attribute("name").value(), most));
     }
     scene_.textures.push_back(std::move(texture));
     return static_cast<std::uint32_t>(scene_.textures.size() - 1);

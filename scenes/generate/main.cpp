@@ -57,7 +57,9 @@ void generate_bust(const fs::path& file) {
 
 void generate_all(const fs::path& scenes) {
   generate_sphere(scenes / "cbox");
+  generate_sphere(scenes / "materials");
   generate_sphere(scenes / "veach_mi");
+  generate_sphere(scenes / "whitted");
   generate_sky(scenes / "serapis");
   generate_bust(scenes / "serapis" / "serapis.obj");
 }

@@ -1,8 +1,8 @@
 /* diffuse: Lambertian reflection.
 
-   | parameter | default | meaning                    |
-   |-----------|---------|----------------------------|
-   | albedo    | 0.5     | share of light reflected   |
+   | parameter | default | meaning                                     |
+   |-----------|---------|---------------------------------------------|
+   | albedo    | 0.5     | share of light reflected, colour or texture |
 
    f = albedo / pi. Sampled by the cosine-weighted hemisphere, so that f cos / pdf = albedo.
    Record: a.rgb = albedo. */
@@ -14,7 +14,7 @@ vec3 diffuse_eval(BsdfRecord b, vec3 wo, vec3 wi) { return b.a.rgb * INV_PI; }
 float diffuse_pdf(BsdfRecord b, vec3 wo, vec3 wi) { return wi.z * INV_PI; }
 
 BsdfSample diffuse_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
-  BsdfSample s;
+  BsdfSample s = bsdf_sample_none();
   s.wi = square_to_cosine_hemisphere(u);
   s.pdf = s.wi.z * INV_PI;
   s.weight = b.a.rgb;

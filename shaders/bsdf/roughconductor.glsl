@@ -1,33 +1,57 @@
-/* roughconductor: rough metal with Beckmann microfacets and Schlick's Fresnel term.
+/* roughconductor: rough metal.
 
-   | parameter | default | meaning                             |
-   |-----------|---------|-------------------------------------|
-   | alpha     | 0.1     | roughness, 1e-4 to 1                |
-   | R0        | 0.5     | reflectance at normal incidence     |
+   | parameter    | default  | meaning                                                                |
+   |--------------|----------|------------------------------------------------------------------------|
+   | alpha        | 0.1      | roughness, 1e-4 to 1, number or texture                                |
+   | R0           | 0.5      | reflectance at normal incidence, colour or texture, by Schlick's term  |
+   | material     |          | a metal by name (`Au`, `Ag`, `Cu`, `Al`, ...: exact Fresnel term, not R0 |
+   | eta, k       |          | its complex index of refraction instead, colours                       |
+   | distribution | beckmann | of the microfacets' normals: `beckmann` or `ggx`                       |
+   | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, within 0.35 %) or `exact` |
+   | multiscatter | false    | give back the light that is lost between microfacets (Turquin 2019)    |
 
-   f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), separable Smith G in Walter's rational form.
-   Sampling: `ndf` (wh ~ D cos_h) or `visible` (Heitz and d'Eon 2014), docs/sampling.md.
-   Record: a.rgb = R0, a.w = alpha. */
+   f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf` (wh ~ D cos_h) or `visible` (Heitz
+   and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md.
+   Record: a.rgb = R0, a.w = alpha; with an index of refraction, a.rgb = eta, b.rgb = k. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
-#include "../lib/microfacet_lobe.glsl"
+#include "../lib/microfacet.glsl"
+#include "../lib/multiscatter.glsl"
+
+vec3 roughconductor_fresnel(BsdfRecord b, float c) {
+  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR)) return fresnel_conductor(b.a.rgb, b.b.rgb, c);
+  return fresnel_schlick(b.a.rgb, c);
+}
+
+/// Energy that multiple scattering gives back.
+vec3 roughconductor_gain(BsdfRecord b, vec3 wo) {
+  if (HAS_FLAG(b.flags, BSDF_MULTISCATTER)) {
+    return multiscatter_factor(roughconductor_fresnel(b, 1.0), wo.z, microfacets_of(b));
+  }
+  return vec3(1.0);
+}
 
 vec3 roughconductor_eval(BsdfRecord b, vec3 wo, vec3 wi) {
+  Microfacets m = microfacets_of(b);
   MicrofacetPair p = microfacet_pair(wo, wi);
-  return fresnel_schlick(b.a.rgb, p.cos_h) * microfacet_eval(p, wo, wi, b.a.w);
+  float lobe = microfacet_d(p.h, m) * 0.25 * (microfacet_g(wi, wo, m) / wi.z) / wo.z;
+  return roughconductor_fresnel(b, p.cos_h) * roughconductor_gain(b, wo) * lobe;
 }
 
 float roughconductor_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   MicrofacetPair p = microfacet_pair(wo, wi);
-  return microfacet_pdf(p.h, p.o_dot_h, wo, b.a.w);
+  return microfacet_pdf(p.h, p.o_dot_h, wo, microfacets_of(b));
 }
 
 BsdfSample roughconductor_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
-  vec3 wh = microfacet_sample_half_vector(wo, b.a.w, u);
+  Microfacets m = microfacets_of(b);
+  vec3 wh = microfacet_sample_half_vector(wo, m, u);
   float c = dot3(wo, wh);
-  BsdfSample s;
+  BsdfSample s = bsdf_sample_none();
   s.wi = 2.0 * c * wh - wo;
-  s.pdf = microfacet_pdf(wh, c, wo, b.a.w);
-  s.weight = fresnel_schlick(b.a.rgb, c) * microfacet_weight(wh, wo, s.wi, b.a.w);
+  s.pdf = microfacet_pdf(wh, c, wo, m);
+  bool valid = s.wi.z > 0.0 && c > 0.0;
+  vec3 color = roughconductor_fresnel(b, c) * roughconductor_gain(b, wo);
+  s.weight = valid ? color * microfacet_weight(wh, c, wo, s.wi, m) : vec3(0.0);
   return s;
 }

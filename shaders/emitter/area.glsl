@@ -1,19 +1,24 @@
 /* area: a mesh that emits from one side.
 
-   | parameter | default | meaning                                     |
-   |-----------|---------|---------------------------------------------|
-   | radiance  | 1       | emitted radiance, W sr^-1 m^-2              |
-   | scale     | 1       | factor on it                                |
+   | parameter | default | meaning                                            |
+   |-----------|---------|----------------------------------------------------|
+   | radiance  | 1       | emitted radiance, W sr^-1 m^-2, colour or texture  |
+   | scale     | 1       | factor on it                                       |
 
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
    angle is d^2 / (A |ng.w|) with the geometric normal ng. */
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/surface.glsl"
+#include "../lib/texture.glsl"
 #include "../lib/warp.glsl"
 
 /// Radiance leaving surface s towards -d.
-vec3 area_eval(EmitterRecord e, Surface s, vec3 d) { return dot3(s.ns, d) < 0.0 ? e.radiance.rgb : vec3(0.0); }
+vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
+  vec3 radiance = e.radiance.rgb;
+  if (TEXTURE_KINDS != 0u) radiance = radiance * texture_value(e.texture, vec3(1.0), s.uv);
+  return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
+}
 
 /// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen.
 float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
@@ -39,5 +44,6 @@ EmitterSample area_sample(EmitterRecord e, Surface from, uint primitive_bits, ve
   // Both ends of the shadow ray are moved off their surfaces; this one must also cover the error of a test from afar.
   r.point = offset_ray_origin(s.position, max(s.magnitude, from.magnitude), s.ng, -r.d);
   r.at_infinity = false;
+  r.delta = false;
   return r;
 }

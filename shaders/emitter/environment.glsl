@@ -78,5 +78,6 @@ EmitterSample environment_sample(uint row_bits, uint column_bits) {
   r.radiance = environment_eval(r.d);
   r.point = r.d;
   r.at_infinity = true;
+  r.delta = false;
   return r;
 }

@@ -1,9 +1,10 @@
-/* direct_ems, direct_mats, direct_mis, path, path_mats, path_ems, path_nee, path_mis: light transport by paths from the
-   camera. The names differ in how direct light is estimated at each surface interaction,
+/* direct_ems, direct_mats, direct_mis, direct_whitted, whitted, path, path_mats, path_ems, path_nee, path_mis: light transport by
+   paths from the camera. The names differ in how direct light is estimated at each surface interaction,
 
-   - ems, nee: by sampling an emitter;   - mats: by sampling the BSDF;   - mis: by both, weighted,
+   - ems, nee: by sampling an emitter;   - mats: by sampling the BSDF;   - mis: by both, weighted (path is path_mis);
+   - whitted: by sampling every emitter; paths then go on at delta lobes (mirror, dielectric) alone,
 
-   and in how many interactions there are: one for direct_*, `maxDepth` for path_*.
+   and in how many interactions there are: one for direct_*, `maxDepth` for the others. At a delta lobe, all of them follow the lobe.
 
    | parameter | default | meaning                                                             |
    |-----------|---------|---------------------------------------------------------------------|
@@ -34,16 +35,16 @@ float mis_weight(float used, float other) {
 vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
   float weight = 1.0;
   if (EMITTER_SAMPLING) weight = MATERIAL_SAMPLING ? mis_weight(bsdf_pdf_used, found.pdf) : 0.0;
-  return bounce == 0u ? found.radiance : weight * found.radiance;
+  bool only_way = bounce == 0u || ((BSDF_FLAGS_SOME & BSDF_DELTA) != 0u && bsdf_pdf_used == DELTA_PDF);
+  return only_way ? found.radiance : weight * found.radiance;
 }
 
 /// Shadow ray for one emitter sample at s; has_shadow is false where it could contribute nothing.
-void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits) {
-  EmitterSample e = sample_emitters(s, bits);
+void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, EmitterSample e) {
   vec3 wi = to_local(shading, e.d);
   vec3 f = bsdf_eval(bsdf, wo, wi);
-  float weight = MATERIAL_SAMPLING ? mis_weight(e.pdf, bsdf_pdf(bsdf, wo, wi)) : 1.0;
-  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (wi.z / e.pdf));
+  float weight = MATERIAL_SAMPLING && !e.delta ? mis_weight(e.pdf, bsdf_pdf(bsdf, wo, wi)) : 1.0;
+  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (abs(wi.z) / e.pdf));
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
   vec4 direction = e.at_infinity ? vec4(e.d, LARGEST) : vec4(e.point - from, 1.0);
   step.shadow = ShadowRayRecord(vec4(from, 0.0), direction, contribution.r, contribution.g, contribution.b, 0u);
@@ -56,11 +57,14 @@ void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo,
 void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits, uint k) {
   BsdfSample b = bsdf_sample(bsdf, wo, unit_float(bits[BSDF_LOBE]), vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V])));
   vec3 throughput = step.path.throughput.rgb * b.weight;
+  step.path.radiance.w *= b.eta2;
   float survival = 1.0;
   if (ROULETTE) {
     float largest = max(throughput.x, max(throughput.y, throughput.z));
+    largest *= step.path.radiance.w;
     survival = k >= ROULETTE_FIRST ? min(ROULETTE_MAX_SURVIVAL, largest) : 1.0;
   }
+  if (EVERY_EMITTER) survival = ROULETTE_MAX_SURVIVAL;
   bool survives = unit_float(bits[BSDF_ROULETTE]) < survival;
   bool dark = throughput.x == 0.0 && throughput.y == 0.0 && throughput.z == 0.0;
   vec3 d = to_world(shading, b.wi);
@@ -68,6 +72,13 @@ void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo,
   step.next.origin = vec4(offset_ray_origin(s.position, s.magnitude, s.ng, d), 0.0);
   step.next.direction = vec4(d, LARGEST);
   step.alive = step.alive && survives && !dark;
+}
+
+/// The emitter sample of interaction k: of one emitter, or of the pass' where every one is sampled.
+EmitterSample emitter_sample(Surface s, SampleId id, uint k) {
+  if (!EVERY_EMITTER) return sample_emitters(s, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
+  uint block = BLOCK_EVERY_EMITTER + (k - 1u) * frame.emitter_count + pass_constants.emitter;
+  return sample_emitter(emitters[pass_constants.emitter], s, random_block(id, block));
 }
 
 /// Interaction k = bounce + 1 of a path whose ray has found `hit`.
@@ -89,14 +100,16 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   uint k = bounce + 1u;
   Frame shading = frame_from_normal(s.ns);
   vec3 wo = to_local(shading, -d);
-  bool scatters = !missed && wo.z > 0.0 && k <= frame.max_depth;
-  BsdfRecord bsdf = bsdfs[meshes[s.mesh].bsdf];
+  BsdfRecord bsdf = textured_bsdf(bsdfs[meshes[s.mesh].bsdf], s.uv);
+  bool visible = wo.z > 0.0 || HAS_FLAG(bsdf.flags, BSDF_TRANSMITS);
+  bool scatters = !missed && visible && k <= frame.max_depth;
   if (EMITTER_SAMPLING) {
-    sample_direct_light(step, s, shading, wo, bsdf, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
+    sample_direct_light(step, s, shading, wo, bsdf, emitter_sample(s, id, k));
     step.has_shadow = step.has_shadow && scatters;
   }
-  // After the last interaction only emission is looked for, which emitter sampling alone does not need.
-  step.alive = scatters && (MATERIAL_SAMPLING || k < frame.max_depth);
+  // After the last interaction only emission is looked for, which emitter sampling alone needs at delta lobes only.
+  bool delta = HAS_FLAG(bsdf.flags, BSDF_DELTA);
+  step.alive = scatters && (MATERIAL_SAMPLING || delta || (k < frame.max_depth && !EVERY_EMITTER));
   sample_continuation(step, s, shading, wo, bsdf, random_block(id, bounce_block(k) + BOUNCE_BSDF), k);
   return step;
 }

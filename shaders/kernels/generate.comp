@@ -11,6 +11,6 @@ void main() {
   SampleId id = slot_sample(slot);
   uvec2 pixel = crop_to_image(slot_crop_pixel(slot));
   rays[slot] = camera_ray(pixel, filter_offset(id));
-  paths[slot] = PathRecord(vec4(1.0, 1.0, 1.0, 0.0), vec4(0.0));
+  paths[slot] = PathRecord(vec4(1.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 0.0, 1.0));
   queues[slot] = slot;
 }

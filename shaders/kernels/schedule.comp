@@ -20,6 +20,8 @@ void main() {
     counters[COUNTER_CLOSEST_RAYS] += counters[COUNTER_ACTIVE + now];
     counters[COUNTER_ACTIVE + 1u - now] = 0u;
     counters[COUNTER_SHADOW] = 0u;
+  } else if (pass_constants.stage == 2u) {
+    counters[COUNTER_SHADOW] = 0u;
   } else {
     write_indirect(INDIRECT_SHADOW, counters[COUNTER_SHADOW]);
     counters[COUNTER_ANY_RAYS] += counters[COUNTER_SHADOW];

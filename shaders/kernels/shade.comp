@@ -5,6 +5,7 @@
 #include "../integrator/depth.glsl"
 #include "../integrator/normals.glsl"
 #include "../integrator/path.glsl"
+#include "../integrator/simple.glsl"
 #include "../lib/pass.glsl"
 #include "../lib/queue.glsl"
 
@@ -17,6 +18,7 @@ PathStep shade(uint slot) {
   if (INTEGRATOR == INTEGRATOR_ambient_occlusion) {
     return shade_ambient_occlusion(paths[slot], rays[slot], hits[slot], slot_sample(slot));
   }
+  if (INTEGRATOR == INTEGRATOR_simple) return shade_simple(paths[slot], rays[slot], hits[slot]);
   PathStep step;
   step.path = paths[slot];
   step.path.radiance.rgb = INTEGRATOR == INTEGRATOR_normals ? shade_normals(hits[slot]) : shade_depth(hits[slot]);
@@ -29,8 +31,10 @@ void main() {
   uint slot = queued_slot();
   if (slot == NONE) return;
   PathStep step = shade(slot);
-  paths[slot] = step.path;
-  if (step.alive) {
+  // Where every emitter is sampled, one at a time, the path moves on with the last.
+  bool last = !EVERY_EMITTER || pass_constants.emitter + 1u >= frame.emitter_count;
+  if (last) paths[slot] = step.path;
+  if (last && step.alive) {
     rays[slot] = step.next;
     push_path(slot);
   }

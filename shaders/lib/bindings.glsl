@@ -18,6 +18,11 @@ layout(std430, binding = BINDING_ENVIRONMENT_ROWS) readonly buffer EnvironmentRo
 };
 layout(std430, binding = BINDING_ENVIRONMENT_COLUMNS) readonly buffer EnvironmentColumns { uint environment_columns[]; };
 layout(std430, binding = BINDING_FILTER) readonly buffer Filter { vec2 filter_quantiles[]; };
+layout(std430, binding = BINDING_TEXCOORD_INDICES) readonly buffer TexcoordIndices { uvec4 texcoord_indices[]; };
+layout(std430, binding = BINDING_TEXCOORDS) readonly buffer Texcoords { vec2 texcoords[]; };
+layout(std430, binding = BINDING_TEXTURES) readonly buffer Textures { TextureRecord textures[]; };
+layout(std430, binding = BINDING_TEXELS) readonly buffer Texels { uint texels[]; };
+layout(std430, binding = BINDING_ALBEDOS) readonly buffer Albedos { float albedos[]; };
 layout(std430, binding = BINDING_FRAME) readonly buffer FrameBuffer { FrameRecord frame; };
 layout(std430, binding = BINDING_RAYS) buffer Rays { RayRecord rays[]; };
 layout(std430, binding = BINDING_HITS) buffer Hits { HitRecord hits[]; };

@@ -1,13 +1,25 @@
-// Dispatch over the BSDFs that the scene has. All are black from behind and towards behind.
+// Dispatch over the BSDFs that the scene has. Those that do not transmit are black from behind and towards behind.
 #ifndef FACET_BSDF_GLSL
 #define FACET_BSDF_GLSL
 #include "specialization.glsl"
+#include "../bsdf/dielectric.glsl"
 #include "../bsdf/diffuse.glsl"
+#include "../bsdf/fresnelblend.glsl"
+#include "../bsdf/microfacet.glsl"
+#include "../bsdf/mirror.glsl"
 #include "../bsdf/roughconductor.glsl"
+#include "../bsdf/roughdielectric.glsl"
 #include "../bsdf/roughsubstrate.glsl"
 
 /// True for the BSDF of this id; known when the kernel is specialised if the scene has none of it, or nothing else.
 #define IS_BSDF(b, id) ((BSDF_MASK & (1u << id)) != 0u && (BSDF_MASK == (1u << id) || b.type == id))
+
+/// Whether the BSDF scatters between these directions at all.
+bool bsdf_allows(BsdfRecord b, vec3 wo, vec3 wi) {
+  if (HAS_FLAG(b.flags, BSDF_DELTA)) return false;
+  if (HAS_FLAG(b.flags, BSDF_TRANSMITS)) return wo.z != 0.0 && wi.z != 0.0;
+  return wo.z > 0.0 && wi.z > 0.0;
+}
 
 /// f(wo, wi) in sr^-1; both directions in the shading frame.
 vec3 bsdf_eval(BsdfRecord b, vec3 wo, vec3 wi) {
@@ -16,7 +28,7 @@ vec3 bsdf_eval(BsdfRecord b, vec3 wo, vec3 wi) {
   if (IS_BSDF(b, id)) f = name##_eval(b, wo, wi);
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE
-  return (wo.z > 0.0 && wi.z > 0.0) ? f : vec3(0.0);
+  return bsdf_allows(b, wo, wi) ? f : vec3(0.0);
 }
 
 /// Density of wi under bsdf_sample, sr^-1.
@@ -26,17 +38,17 @@ float bsdf_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   if (IS_BSDF(b, id)) pdf = name##_pdf(b, wo, wi);
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE
-  return (wo.z > 0.0 && wi.z > 0.0) ? pdf : 0.0;
+  return bsdf_allows(b, wo, wi) ? pdf : 0.0;
 }
 
-/// Direction wi with its weight f cos / pdf; weight 0 where the sample is rejected.
+/// Direction wi with its weight f |cos| / pdf; weight 0 where the sample is rejected.
 BsdfSample bsdf_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
-  BsdfSample s = BsdfSample(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0));
+  BsdfSample s = bsdf_sample_none();
 #define FACET_CASE(name, Type, id) \
   if (IS_BSDF(b, id)) s = name##_sample(b, wo, lobe, u);
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE
-  bool valid = wo.z > 0.0 && s.wi.z > 0.0;
+  bool valid = HAS_FLAG(b.flags, BSDF_TRANSMITS) || (wo.z > 0.0 && s.wi.z > 0.0);
   s.weight = valid ? s.weight : vec3(0.0);
   return s;
 }

@@ -6,20 +6,28 @@
 #include "specialization.glsl"
 #include "../emitter/area.glsl"
 #include "../emitter/environment.glsl"
+#include "../emitter/pointlight.glsl"
 
 #define FACET_EMITTER_COUNT(i) emitters[i].cumulative
 FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
+/// A direction from a surface towards an emitter.
+EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
+  EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true, false);
+  if (IS_EMITTER(e.type, area)) {
+    s = area_sample(e, from, bits[EMITTER_PRIMITIVE], vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
+  }
+  if (IS_EMITTER(e.type, environment)) s = environment_sample(bits[EMITTER_V], bits[EMITTER_U]);
+  if (IS_EMITTER(e.type, pointlight)) s = pointlight_sample(e, from);
+  // Without power, an emitter has no density to sample by.
+  s.pdf = e.probability > 0.0 ? s.pdf : 0.0;
+  return s;
+}
+
 /// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
 EmitterSample sample_emitters(Surface from, uvec4 bits) {
   EmitterRecord e = emitters[choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE]))];
-  EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true);
-  if (HAS_EMITTER(area) && (!HAS_EMITTER(environment) || e.type == EMITTER_area)) {
-    s = area_sample(e, from, bits[EMITTER_PRIMITIVE], vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
-  }
-  if (HAS_EMITTER(environment) && (!HAS_EMITTER(area) || e.type == EMITTER_environment)) {
-    s = environment_sample(bits[EMITTER_V], bits[EMITTER_U]);
-  }
+  EmitterSample s = sample_emitter(e, from, bits);
   s.pdf *= e.probability;
   return s;
 }

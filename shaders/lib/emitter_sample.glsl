@@ -8,6 +8,7 @@ struct EmitterSample {
   float pdf;         // sr^-1
   vec3 point;        // end of the shadow ray, world space
   bool at_infinity;  // the shadow ray has no end
+  bool delta;        // no ray finds this emitter: its sample has all the weight
 };
 
 #endif

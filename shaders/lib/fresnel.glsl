@@ -9,6 +9,29 @@ vec3 fresnel_schlick(vec3 r0, float c) {
   return r0 + (vec3(1.0) - r0) * (m2 * m2 * m);
 }
 
+/// Unpolarised reflectance of a conductor of complex index eta + i k (over that of the other side), per channel; c: cosine of the
+/// angle of incidence. M. Born, E. Wolf, "Principles of Optics", section 13.4.
+vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
+  float cos2 = min(c * c, 1.0);
+  float sin2 = max((1.0 - c) * (1.0 + c), 0.0);
+  vec3 eta2 = eta * eta;
+  vec3 k2 = k * k;
+  // (a + i b)^2 = (eta + i k)^2 - sin^2; both forms of a^2 are sums where nothing cancels.
+  vec3 t = eta2 - k2 - vec3(sin2);
+  vec3 ek2 = eta2 * k2;
+  vec3 length2 = sqrt(t * t + 4.0 * ek2);
+  vec3 with_t = length2 + abs(t);
+  vec3 larger = 0.5 * with_t;
+  vec3 smaller = 2.0 * ek2 / max(with_t, vec3(1.0e-30));
+  vec3 a2 = vec3(t.x >= 0.0 ? larger.x : smaller.x, t.y >= 0.0 ? larger.y : smaller.y, t.z >= 0.0 ? larger.z : smaller.z);
+  vec3 ac = 2.0 * sqrt(a2) * c;
+  vec3 sum = length2 + vec3(cos2);
+  vec3 rs = (sum - ac) / (sum + ac);
+  vec3 product = length2 * cos2 + vec3(sin2 * sin2);
+  vec3 rp = (product - ac * sin2) / (product + ac * sin2);
+  return 0.5 * rs * (vec3(1.0) + rp);
+}
+
 /// Unpolarised reflectance between two dielectrics; c is the cosine on the exterior side (negative: seen from inside).
 /// 1 beyond the critical angle, 0 for equal indices.
 float fresnel_dielectric(float c, float ext_ior, float int_ior) {

@@ -1,94 +1,79 @@
-// The Beckmann microfacet distribution: density, masking, and two ways of sampling half vectors.
-// Directions are in the shading frame, wo and wi on the upper side.
+// A rough surface: which distribution of microfacets it has, and how it is sampled and masked. Directions are in the
+// shading frame, on the upper side.
 #ifndef FACET_MICROFACET_GLSL
 #define FACET_MICROFACET_GLSL
-#include "elementary.glsl"
-#include "frame.glsl"
+#include "beckmann.glsl"
+#include "ggx.glsl"
+#include "specialization.glsl"
 
-/// Beckmann density D(wh) in sr^-1, for a half vector h of any length: without normalising, tan^2 keeps its digits where
-/// wi and wo nearly cancel. alpha in [1e-4, 1].
-float beckmann_d(vec3 h, float alpha) {
-  float z2 = h.z * h.z;
-  float r2 = h.x * h.x + h.y * h.y;
-  float x = r2 / (z2 * alpha * alpha);
-  float cos2 = z2 / (r2 + z2);
-  float d = exp_accurate(-x) * INV_PI / (alpha * alpha) / cos2 / cos2;
-  return (h.z > 0.0 && x < 87.0) ? d : 0.0;
+struct Microfacets {
+  float alpha;
+  uint flags;  // BSDF_GGX, BSDF_EXACT_MASKING
+};
+
+Microfacets microfacets_of(BsdfRecord b) { return Microfacets(b.a.w, b.flags); }
+
+/// Density D of a half vector of any length, sr^-1.
+float microfacet_d(vec3 h, Microfacets m) {
+  if (HAS_FLAG(m.flags, BSDF_GGX)) return ggx_d(h, m.alpha);
+  return beckmann_d(h, m.alpha);
 }
 
-/// Masking G1 of direction w, rational form: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
-/// EGSR 2007, eq. 27. w_dot_h is the cosine to the half vector.
-float beckmann_g1_rational(vec3 w, float w_dot_h, float alpha) {
-  float sin2 = w.x * w.x + w.y * w.y;
-  float b = w.z / (alpha * sqrt(max(sin2, 1.0e-30)));
-  float c = min(b, 1.6);
-  float g = c * (3.535 + 2.181 * c) / (1.0 + c * (2.276 + 2.577 * c));
-  g = b >= 1.6 ? 1.0 : g;
-  return w_dot_h * w.z > 0.0 ? g : 0.0;
+/// What normalises the visible normals of direction w.
+float microfacet_normalisation(vec3 w, Microfacets m) {
+  if (HAS_FLAG(m.flags, BSDF_GGX)) return ggx_g1(w, m.alpha);
+  return beckmann_g1_exact(w, m.alpha);
 }
 
-/// Separable Smith masking-shadowing with the rational G1.
-float beckmann_g(vec3 wi, vec3 wo, float i_dot_h, float o_dot_h, float alpha) {
-  return beckmann_g1_rational(wi, i_dot_h, alpha) * beckmann_g1_rational(wo, o_dot_h, alpha);
+/// Masking G1 of direction w, whose microfacet it sees from the front.
+float microfacet_g1(vec3 w, Microfacets m) {
+  if (HAS_FLAG(m.flags, BSDF_GGX)) return ggx_g1(w, m.alpha);
+  if (HAS_FLAG(m.flags, BSDF_EXACT_MASKING)) return beckmann_g1_exact(w, m.alpha);
+  return beckmann_g1_rational(w, m.alpha);
 }
 
-/// Exact Smith G1 of the Beckmann distribution, which normalises the visible normals: 1/(1 + Lambda), written as a sum
-/// of positive terms.
-float beckmann_g1_exact(vec3 w, float alpha) {
-  float sin2 = w.x * w.x + w.y * w.y;
-  float b = min(w.z / (alpha * sqrt(max(sin2, 1.0e-30))), 1.0e6);
-  float one_plus_lambda = 0.5 * erfc_accurate(-b) + exp_accurate(-b * b) * 0.5 * INV_SQRT_PI / max(b, 1.0e-30);
-  return w.z > 0.0 ? 1.0 / one_plus_lambda : 0.0;
-}
+/// Separable Smith masking-shadowing.
+float microfacet_g(vec3 wi, vec3 wo, Microfacets m) { return microfacet_g1(wi, m) * microfacet_g1(wo, m); }
 
-/// Unit half vector with density D(wh) cos(theta_h).
-vec3 beckmann_sample_ndf(float alpha, vec2 u) {
-  float tan2 = -alpha * alpha * log_accurate(1.0 - u.x);
-  float c = 1.0 / sqrt(1.0 + tan2);
-  float s = sqrt(tan2) * c;
-  vec2 sc = sincos_turns(u.y);
-  return vec3(s * sc.y, s * sc.x, c);
-}
-
-/// Slope along the direction of view whose visible cumulative distribution is u (alpha = 1): the root x of
-/// c erfc(-x) + s/sqrt(pi) exp(-x^2) = u (the same at x = c/s), where (s, c) are sine and cosine of the polar angle.
-/// Halley's iteration within a bracket; docs/sampling.md derives it from Heitz and d'Eon 2014.
-float beckmann_visible_slope(float s, float c, float u) {
-  float upper = min(c / max(s, 1.0e-20), 6.0);
-  float lower = -6.0;
-  float target = u * (c * erfc_accurate(-upper) + s * INV_SQRT_PI * exp_accurate(-upper * upper));
-  float x = min(lerp(erfinv_quantile(u), -sqrt(-log_accurate(u)), s), upper);
-  bool done = false;
-  for (uint k = 0u; k < 12u; ++k) {
-    float gauss = exp_accurate(-x * x);
-    float visible = max(c - s * x, 1.0e-30);
-    float residual = c * erfc_accurate(-x) + s * INV_SQRT_PI * gauss - target;
-    lower = residual < 0.0 ? x : lower;
-    upper = residual < 0.0 ? upper : x;
-    float newton = residual / (2.0 * (INV_SQRT_PI * gauss) * visible);
-    float halley = newton / max(1.0 + newton * (x + 0.5 * s / visible), 0.5);
-    float next = x - halley;
-    // A step of zero stays at a border of the bracket, so the borders are inside.
-    next = (next >= lower && next <= upper) ? next : 0.5 * (lower + upper);
-    // The residual's own rounding moves x by this much.
-    done = abs(next - x) <= 2.0e-7 * max(abs(x), 2.0);
-    x = next;
-    if (done) break;
+/// Unit half vector by the chosen strategy.
+vec3 microfacet_sample_half_vector(vec3 wo, Microfacets m, vec2 u) {
+  if (HAS_FLAG(m.flags, BSDF_GGX)) {
+    if (VISIBLE_NORMALS) return ggx_sample_visible(wo, m.alpha, u);
+    return ggx_sample_ndf(m.alpha, u);
   }
-  return x;
+  if (VISIBLE_NORMALS) return beckmann_sample_visible(wo, m.alpha, u);
+  return beckmann_sample_ndf(m.alpha, u);
 }
 
-/// Unit half vector with density G1(wo) D(wh) max(0, wo.wh) / cos(theta_o), G1 exact.
-/// E. Heitz, E. d'Eon, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals", EGSR 2014.
-vec3 beckmann_sample_visible(vec3 wo, float alpha, vec2 u) {
-  vec2 v = max(u, vec2(2.98023224e-8));  // 2^-25, half a step: no infinite slope
-  vec3 w = normalize_safe(vec3(alpha * wo.x, alpha * wo.y, wo.z));
-  float s = sqrt(w.x * w.x + w.y * w.y);
-  vec2 axis = s > 0.0 ? w.xy / s : vec2(1.0, 0.0);
-  float along = alpha * beckmann_visible_slope(s, w.z, v.x);
-  float across = alpha * erfinv_quantile(v.y);
-  vec2 slope = vec2(axis.x * along - axis.y * across, axis.y * along + axis.x * across);
-  return normalize_safe(vec3(-slope.x, -slope.y, 1.0));
+/// Density of the half vector over 4 wo.h, that of the reflected direction, sr^-1, for h of any length; o_dot_h = dot(wo, h).
+float microfacet_pdf(vec3 h, float o_dot_h, vec3 wo, Microfacets m) {
+  float d = microfacet_d(h, m);
+  if (VISIBLE_NORMALS) return d * 0.25 * microfacet_normalisation(wo, m) / wo.z;
+  return o_dot_h > 0.0 ? d * 0.25 * h.z / o_dot_h : 0.0;  // both cosines carry the length of h
+}
+
+/// G D / (4 cos_i cos_o) * cos_i over that density, with D cancelled by hand, for the unit half vector wh, c = dot(wo, wh) > 0.
+float microfacet_weight(vec3 wh, float c, vec3 wo, vec3 wi, Microfacets m) {
+  float g_i = microfacet_g1(wi, m);
+  float g_o = microfacet_g1(wo, m);
+  if (VISIBLE_NORMALS) return g_i * (g_o / microfacet_normalisation(wo, m));
+  return g_i * (g_o / wo.z) * (c / wh.z);
+}
+
+/// A pair of directions on the same side and what follows from it.
+struct MicrofacetPair {
+  vec3 h;         // wo + wi, not normalised: each component is exact to half an ulp
+  float o_dot_h;  // dot(wo, h) = |h|^2 / 2 for unit vectors, which does not cancel
+  float cos_h;    // cosine between either direction and h: |h| / 2
+};
+
+MicrofacetPair microfacet_pair(vec3 wo, vec3 wi) {
+  MicrofacetPair p;
+  p.h = wo + wi;
+  float h2 = dot3(p.h, p.h);
+  p.o_dot_h = 0.5 * h2;
+  p.cos_h = min(0.5 * sqrt(h2), 1.0);
+  return p;
 }
 
 #endif

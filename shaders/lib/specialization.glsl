@@ -5,6 +5,7 @@
 #include "../shared/bsdf_list.h"
 #include "../shared/emitter_list.h"
 #include "../shared/integrator_list.h"
+#include "../shared/records.h"
 
 /// Entries of the traversal stack: the tree's own worst case.
 layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = 64;
@@ -24,6 +25,13 @@ layout(constant_id = SPEC_VISIBLE_NORMALS) const bool VISIBLE_NORMALS = true;
 layout(constant_id = SPEC_POWER_HEURISTIC) const bool POWER_HEURISTIC = false;
 /// Paths can be long enough for Russian roulette.
 layout(constant_id = SPEC_ROULETTE) const bool ROULETTE = true;
+/// Flags that some BSDF of the scene has, and those that all have that could (of rough ones: the rough ones).
+layout(constant_id = SPEC_BSDF_FLAGS_SOME) const uint BSDF_FLAGS_SOME = 0xffffffffu;
+layout(constant_id = SPEC_BSDF_FLAGS_ALL) const uint BSDF_FLAGS_ALL = 0;
+/// Bit 0: the scene has a checker; bit 1: a textmap.
+layout(constant_id = SPEC_TEXTURE_KINDS) const uint TEXTURE_KINDS = 3;
+/// Every emitter is sampled at each interaction, and paths go on at delta lobes alone.
+layout(constant_id = SPEC_EVERY_EMITTER) const bool EVERY_EMITTER = false;
 /// Sums of squares are kept.
 layout(constant_id = SPEC_VARIANCE) const bool VARIANCE = true;
 
@@ -40,5 +48,10 @@ FACET_INTEGRATOR_KERNEL_LIST(FACET_ID)
 
 /// Whether the scene has an emitter of this id.
 #define HAS_EMITTER(name) ((EMITTER_MASK & (1u << EMITTER_##name)) != 0u)
+/// True for an emitter's type of this id; known when the kernel is specialised where the scene has none of it, or nothing else.
+#define IS_EMITTER(type, name) (HAS_EMITTER(name) && (EMITTER_MASK == (1u << EMITTER_##name) || type == EMITTER_##name))
+/// Whether the BSDF has the flag; known when the kernel is specialised where none has it, or all.
+#define HAS_FLAG(bsdf_flags, flag) \
+  ((BSDF_FLAGS_SOME & flag) != 0u && ((BSDF_FLAGS_ALL & flag) != 0u || (bsdf_flags & flag) != 0u))
 
 #endif

@@ -10,6 +10,7 @@ struct Surface {
   float magnitude;  // largest absolute coordinate of the triangle's vertices: scales the bound of rounding errors
   vec3 ng;         // geometric normal, unit, by the triangle's winding
   vec3 ns;         // shading normal, unit: interpolated where the mesh has vertex normals
+  vec2 uv;         // texture coordinates, where the scene has textures
   uint mesh;
 };
 
@@ -31,12 +32,22 @@ Surface surface_at(uint i, float b1, float b2) {
   s.ng = normalize_safe(cross3(e1, e2));
   s.ns = s.ng;
   s.mesh = triangle.v0.w;
+  uint index = triangle.v2.w;
+  bool listed = index != NONE;
   if (SHADING_NORMALS) {
-    uint index = triangle.v2.w;
-    bool has = index != NONE;
-    uvec4 n = normal_indices[has ? index : 0u];
+    uvec4 n = normal_indices[listed ? index : 0u];
+    bool has = listed && n.x != NONE;
+    n = has ? n : uvec4(0u);
     vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x) + b1 * fetch_normal(n.y)) + b2 * fetch_normal(n.z));
     s.ns = (has && interpolated != vec3(0.0)) ? interpolated : s.ng;
+  }
+  s.uv = vec2(b1, b2);
+  if (TEXTURE_KINDS != 0u) {
+    uvec4 t = texcoord_indices[listed ? index : 0u];
+    bool has = listed && t.x != NONE;
+    t = has ? t : uvec4(0u);
+    vec2 interpolated = (b0 * texcoords[t.x] + b1 * texcoords[t.y]) + b2 * texcoords[t.z];
+    s.uv = has ? interpolated : s.uv;
   }
   return s;
 }

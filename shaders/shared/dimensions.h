@@ -16,6 +16,10 @@ FACET_CONSTANT uint CAMERA_FILTER_Y = 1u;
 FACET_CONSTANT uint BLOCK_FIRST_BOUNCE = 1u;
 FACET_CONSTANT uint BLOCKS_PER_BOUNCE = 2u;
 
+/// Where every emitter is sampled, emitter e of E owns block BLOCK_EVERY_EMITTER + (k - 1) E + e of
+/// interaction k.
+FACET_CONSTANT uint BLOCK_EVERY_EMITTER = 0x80000000u;
+
 /// First block of a bounce: the emitter sample.
 FACET_CONSTANT uint BOUNCE_EMITTER = 0u;
 FACET_CONSTANT uint EMITTER_CHOICE = 0u;

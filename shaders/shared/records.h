@@ -43,17 +43,25 @@ struct MeshRecord {
 };
 
 // Flags of a BSDF.
-FACET_CONSTANT uint BSDF_DELTA = 1u;         // scatters into single directions only
-FACET_CONSTANT uint BSDF_TRANSMITS = 2u;     // has a lower side
-FACET_CONSTANT uint BSDF_GGX = 4u;           // GGX instead of Beckmann
-FACET_CONSTANT uint BSDF_EXACT_MASKING = 8u; // Smith's G1 instead of Walter's rational one
-FACET_CONSTANT uint BSDF_CONDUCTOR = 16u;    // Fresnel term of a conductor instead of Schlick's
-FACET_CONSTANT uint BSDF_MULTISCATTER = 32u; // energy of multiple scattering is given back
+FACET_CONSTANT uint BSDF_DELTA = 1u;          // scatters into single directions only
+FACET_CONSTANT uint BSDF_TRANSMITS = 2u;      // has a lower side
+FACET_CONSTANT uint BSDF_GGX = 4u;            // GGX instead of Beckmann
+FACET_CONSTANT uint BSDF_EXACT_MASKING = 8u;  // Smith's G1 instead of Walter's rational one
+FACET_CONSTANT uint BSDF_CONDUCTOR = 16u;     // Fresnel term of a conductor instead of Schlick's
+FACET_CONSTANT uint BSDF_MULTISCATTER = 32u;  // energy of multiple scattering is given back
+/// Those that only rough BSDFs know.
+FACET_CONSTANT uint BSDF_ROUGH_FLAGS = 60u;
+
+// Tables of albedos (host/scene/bsdf/albedo_table.h), one after another.
+FACET_CONSTANT uint ALBEDO_NODES = 32u;
+FACET_CONSTANT uint ALBEDO_BECKMANN_RATIONAL = 0u;
+FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
+FACET_CONSTANT uint ALBEDO_GGX = 2u;
 
 /// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf. A texture's value
 /// takes the place of the constant; NONE: none does.
 struct BsdfRecord {
-  uint type;           // id of bsdf_list.h
+  uint type;  // id of bsdf_list.h
   uint flags;
   uint texture_a;      // for a.rgb
   uint texture_b;      // for b.rgb
@@ -76,11 +84,11 @@ struct TextureRecord {
 };
 
 struct EmitterRecord {
-  vec4 radiance;        // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1); w: area in m^2 (area emitters)
-  vec4 position;        // world space (point lights)
-  uint type;            // id of emitter_list.h
-  uint cumulative;      // the emitter is chosen by the words below this and not below its predecessor's
-                        // (docs/sampling.md)
+  vec4 radiance;    // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1); w: area in m^2 (area emitters)
+  vec4 position;    // world space (point lights)
+  uint type;        // id of emitter_list.h
+  uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
+                    // (docs/sampling.md)
   uint first_triangle;  // range of emitter_triangles
   uint triangle_count;
   float probability;  // of being chosen
@@ -182,7 +190,8 @@ struct PassConstants {
   uint queue;         // 0 or 1: which half of the queues is read
   uint
       stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
-  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays
+  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays, 2 before the next
+               // emitter
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;

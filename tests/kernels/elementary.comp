@@ -2,7 +2,7 @@
 // Evaluates one of our functions of numbers for every input; for tests/unit/elementary_test.cpp.
 #extension GL_GOOGLE_include_directive : require
 #include "../../shaders/lib/fresnel.glsl"
-#include "../../shaders/lib/microfacet.glsl"
+#include "../../shaders/lib/beckmann.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint FUNCTION = 0;

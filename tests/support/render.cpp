@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "image/z_test.h"
 #include "scene/reader.h"
 
 namespace facet::test {
@@ -68,6 +69,16 @@ Mean mean_of(const Image& image, int channel) {
   mean.error = std::sqrt(variance) / pixels;
   return mean;
 }
+
+void expect_mean(const Image& image, const Color& expected, double critical) {
+  for (int c = 0; c < 3; ++c) {
+    const Mean mean = mean_of(image, c);
+    EXPECT_NEAR(mean.value, expected[c], critical * mean.error + 3e-6 * static_cast<double>(expected[c]))
+        << "channel " << c << ", standard error " << mean.error;
+  }
+}
+
+double critical_distance(int tests) { return two_sided_normal_quantile(1 - std::pow(1 - 0.01, 1.0 / tests)); }
 
 Scene load_scene(const std::string& name) {
   Diagnostics diagnostics(true);

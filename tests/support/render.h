@@ -42,6 +42,14 @@ struct Mean {
 };
 [[nodiscard]] Mean mean_of(const Image& image, int channel);
 
+/// Expects the mean of every channel within `critical` standard errors of what is expected; a mean without
+/// variance must be exact to rounding.
+void expect_mean(const Image& image, const Color& expected, double critical);
+
+/// The critical distance, in standard errors, of one of `tests` two-sided tests of means that err together
+/// with probability 0.01.
+[[nodiscard]] double critical_distance(int tests);
+
 /// A shipped scene.
 [[nodiscard]] Scene load_scene(const std::string& name);
 

@@ -4,7 +4,9 @@
 
 namespace facet::bsdf {
 
-Diffuse Diffuse::read(PropertyReader& properties) { return {properties.textured_reflectance("albedo", Color(0.5F))}; }
+Diffuse Diffuse::read(PropertyReader& properties) {
+  return {properties.textured_reflectance("albedo", Color(0.5F))};
+}
 
 shared::BsdfRecord Diffuse::pack() const {
   shared::BsdfRecord r = empty_record();

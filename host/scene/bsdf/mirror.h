@@ -5,7 +5,6 @@ namespace facet::bsdf {
 
 /// A perfect mirror; manual in shaders/bsdf/mirror.glsl.
 struct Mirror {
-
   static Mirror read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;
 };

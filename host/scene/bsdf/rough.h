@@ -12,8 +12,8 @@ namespace facet::bsdf {
 
 /// Distribution of the microfacets' normals.
 enum class Distribution { beckmann, ggx };
-/// Smith's masking function of the Beckmann distribution: Walter's rational approximation, or the exact one. That of
-/// GGX is exact and rational at once.
+/// Smith's masking function of the Beckmann distribution: Walter's rational approximation, or the exact one.
+/// That of GGX is exact and rational at once.
 enum class Masking { rational, exact };
 
 /* Properties of every rough BSDF:

@@ -8,6 +8,7 @@ struct RoughConductor {
   Textured<Color> r0{Color(0.5F)};
   Textured<float> alpha{0.1F};
   MicrofacetOptions options;
+  bool multiscatter = false;
 
   static RoughConductor read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

@@ -10,7 +10,8 @@ namespace {
 
 std::array<float, 256> make_linear_values() {
   std::array<float, 256> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values.at(i) = static_cast<float>(static_cast<double>(i) / 255);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values.at(i) = static_cast<float>(static_cast<double>(i) / 255);
   return values;
 }
 
@@ -19,7 +20,8 @@ template <typename Body>
 void for_each_texel(const BitmapTexture& t, const Body& body) {
   const std::array<float, 256>& values = byte_values(t.srgb);
   for (const std::uint32_t texel : t.texels) {
-    body(t.factor * Color(values.at(texel & 255U), values.at(texel >> 8U & 255U), values.at(texel >> 16U & 255U)));
+    body(t.factor *
+         Color(values.at(texel & 255U), values.at(texel >> 8U & 255U), values.at(texel >> 16U & 255U)));
   }
 }
 
@@ -31,7 +33,8 @@ const std::array<float, 256>& byte_values(bool srgb) {
 }
 
 Color mean(const Texture& texture) {
-  if (const auto* checker = std::get_if<CheckerTexture>(&texture)) return (checker->first + checker->second) / 2.0F;
+  if (const auto* checker = std::get_if<CheckerTexture>(&texture))
+    return (checker->first + checker->second) / 2.0F;
   const auto& bitmap = std::get<BitmapTexture>(texture);
   dvec3 sum(0);
   for_each_texel(bitmap, [&](const Color& c) { sum += dvec3(c); });

@@ -11,7 +11,8 @@ struct Textured {
   std::uint32_t texture = none;  ///< index into Scene::textures
 
   Textured() = default;
-  Textured(const Value& constant) : value(constant) {}  // NOLINT(google-explicit-constructor): a constant is one
+  Textured(const Value& constant)
+      : value(constant) {}  // NOLINT(google-explicit-constructor): a constant is one
   [[nodiscard]] bool is_textured() const { return texture != none; }
 };
 

@@ -22,7 +22,8 @@ bool contains(const std::vector<std::string>& list, std::string_view name) {
 
 }  // namespace
 
-PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object, TextureReader read_texture)
+PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& object,
+                               TextureReader read_texture)
     : xml_(xml), object_(object), read_texture_(std::move(read_texture)) {
   xml.refuse_stray_content(object);
   for (const pugi::xml_node& child : object.children()) {
@@ -122,7 +123,8 @@ bool PropertyReader::boolean(const std::string& name, bool fallback) {
   const auto node = find(name, "boolean");
   if (!node) return fallback;
   const std::string text = required_attribute(xml_, *node, "value");
-  if (text != "true" && text != "false") fail(name, fmt::format("is \"{}\", but must be true or false", text));
+  if (text != "true" && text != "false")
+    fail(name, fmt::format("is \"{}\", but must be true or false", text));
   return text == "true";
 }
 

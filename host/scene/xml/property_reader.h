@@ -23,8 +23,8 @@ using TextureReader = std::function<std::uint32_t(const pugi::xml_node& texture,
 
 class PropertyReader {
  public:
-  /// Throws InputError for tags that are no part of the language. read_texture: for objects whose parameters may
-  /// be textures.
+  /// Throws InputError for tags that are no part of the language. read_texture: for objects whose parameters
+  /// may be textures.
   PropertyReader(const XmlDocument& xml, const pugi::xml_node& object, TextureReader read_texture = {});
 
   [[nodiscard]] SourceLocation location() const { return xml_.location(object_); }
@@ -52,8 +52,8 @@ class PropertyReader {
   Color radiance(const std::string& name, const Color& fallback);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
-  /// The same from a texture where the object has one of that name, or of the other name, by which the lab calls
-  /// it.
+  /// The same from a texture where the object has one of that name, or of the other name, by which the lab
+  /// calls it.
   Textured<Color> textured_reflectance(const std::string& name, const Color& fallback,
                                        const std::string& also_called = "");
   Textured<float> textured_roughness(const std::string& name, float fallback);

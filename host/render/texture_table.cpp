@@ -1,0 +1,53 @@
+#include "render/texture_table.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace facet {
+
+namespace {
+
+/// Adds a table of decoded bytes; returns where it begins.
+std::uint32_t add_decoding(std::vector<std::uint32_t>& texels, bool srgb) {
+  const auto first = static_cast<std::uint32_t>(texels.size());
+  for (const float value : byte_values(srgb)) texels.push_back(std::bit_cast<std::uint32_t>(value));
+  return first;
+}
+
+shared::TextureRecord make_record(const CheckerTexture& t) {
+  shared::TextureRecord r{};
+  r.first = glm::vec4(t.first, t.scale_x);
+  r.second = glm::vec4(t.second, t.scale_y);
+  return r;
+}
+
+shared::TextureRecord make_record(const BitmapTexture& t) {
+  shared::TextureRecord r{};
+  r.first = glm::vec4(t.factor, t.scale_x);
+  r.second = glm::vec4(0, 0, 0, t.scale_y);
+  r.width = static_cast<std::uint32_t>(t.width);
+  r.height = static_cast<std::uint32_t>(t.height);
+  return r;
+}
+
+}  // namespace
+
+TextureTable make_texture_table(std::span<const Texture> textures) {
+  TextureTable table;
+  const bool images = std::any_of(textures.begin(), textures.end(),
+                                  [](const Texture& t) { return std::holds_alternative<BitmapTexture>(t); });
+  const std::uint32_t linear = images ? add_decoding(table.texels, false) : 0;
+  const std::uint32_t srgb = images ? add_decoding(table.texels, true) : 0;
+  for (const Texture& texture : textures) {
+    shared::TextureRecord record = std::visit([](const auto& t) { return make_record(t); }, texture);
+    if (const auto* bitmap = std::get_if<BitmapTexture>(&texture)) {
+      record.decoding = bitmap->srgb ? srgb : linear;
+      record.first_texel = static_cast<std::uint32_t>(table.texels.size());
+      table.texels.insert(table.texels.end(), bitmap->texels.begin(), bitmap->texels.end());
+    }
+    table.records.push_back(record);
+  }
+  return table;
+}
+
+}  // namespace facet

@@ -1,0 +1,47 @@
+/* fresnelblend: a diffuse base that a glossy coat dims, PBRT's FresnelBlend.
+
+   | parameter | default | meaning                                          |
+   |-----------|---------|--------------------------------------------------|
+   | Rd        | 0.5     | reflectance of the base, colour or texture       |
+   | Rs        | 0.5     | reflectance of the coat at normal incidence, colour or texture |
+   | alpha     | 0.1     | roughness of the coat, 1e-4 to 1, number or texture |
+   | distribution | beckmann | of the coat's microfacets: `beckmann` or `ggx` |
+
+   f = 28 Rd/(23 pi) (1 - Rs) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5) + D Schlick(Rs, wi.wh)/(4 wi.wh max(cos_i, cos_o)):
+   M. Ashikhmin, P. Shirley, "An Anisotropic Phong BRDF Model", 2000, with a microfacet distribution for theirs. It has no masking.
+   Record: a.rgb = Rd, a.w = alpha, b.rgb = Rs. */
+#include "../lib/coated.glsl"
+#include "../lib/fresnel.glsl"
+
+/// Probability of choosing the coat.
+float fresnelblend_coat_probability(BsdfRecord b, vec3 wo) {
+  float base = mean3(b.a.rgb * (vec3(1.0) - b.b.rgb)) * coated_falloff(wo.z);
+  return coated_probability(mean3(fresnel_schlick(b.b.rgb, wo.z)), base);
+}
+
+/// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either direction and h.
+vec3 fresnelblend_value(BsdfRecord b, vec3 wo, vec3 wi, vec3 h, float c) {
+  Microfacets m = microfacets_of(b);
+  // 28/(23 pi)
+  float falloff = 0.387507688 * coated_falloff(wi.z) * coated_falloff(wo.z) * wi.z;
+  vec3 base = b.a.rgb * (vec3(1.0) - b.b.rgb) * falloff;
+  float coat = microfacet_d(h, m) * 0.25 / c * (wi.z / max(wi.z, wo.z));
+  return base + fresnel_schlick(b.b.rgb, c) * coat;
+}
+
+vec3 fresnelblend_eval(BsdfRecord b, vec3 wo, vec3 wi) {
+  MicrofacetPair p = microfacet_pair(wo, wi);
+  return fresnelblend_value(b, wo, wi, p.h, p.cos_h) / wi.z;
+}
+
+float fresnelblend_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
+  MicrofacetPair p = microfacet_pair(wo, wi);
+  return coated_pdf(p.h, p.o_dot_h, wo, wi.z, microfacets_of(b), fresnelblend_coat_probability(b, wo));
+}
+
+BsdfSample fresnelblend_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+  Microfacets m = microfacets_of(b);
+  float p = fresnelblend_coat_probability(b, wo);
+  CoatedDirection d = coated_sample(wo, m, p, lobe, u);
+  return coated_result(d, wo, m, p, fresnelblend_value(b, wo, d.wi, d.h, d.cos_h));
+}

@@ -1,0 +1,25 @@
+/* pointlight: light from a point, equal in all directions.
+
+   | parameter | default     | meaning                                              |
+   |-----------|-------------|------------------------------------------------------|
+   | position  | 0, 100, 0   | in the scene's space                                 |
+   | radiance  | 1           | radiant intensity, W sr^-1; falls off with 1/d^2     |
+
+   No ray finds it: estimators that sample BSDFs alone do not see it. */
+#include "../lib/bindings.glsl"
+#include "../lib/emitter_sample.glsl"
+#include "../lib/surface.glsl"
+
+EmitterSample pointlight_sample(EmitterRecord e, Surface from) {
+  vec3 to = e.position.xyz - from.position;
+  EmitterSample r;
+  r.d = normalize_safe(to);
+  float distance = dot3(to, r.d);
+  bool apart = distance > 0.0;
+  r.radiance = apart ? e.radiance.rgb / distance / distance : vec3(0.0);
+  r.pdf = apart ? 1.0 : 0.0;
+  r.point = e.position.xyz;
+  r.at_infinity = false;
+  r.delta = true;
+  return r;
+}

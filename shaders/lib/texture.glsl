@@ -1,0 +1,67 @@
+// Textures: colours over (u, v) (docs/sampling.md, "Textures"); manuals in host/scene/texture/texture.h.
+#ifndef FACET_TEXTURE_GLSL
+#define FACET_TEXTURE_GLSL
+#include "bindings.glsl"
+#include "specialization.glsl"
+
+const uint TEXTURE_CHECKER = 1u;
+const uint TEXTURE_IMAGE = 2u;
+
+vec3 checker_value(TextureRecord t, vec2 uv) {
+  float cell = floor(uv.x * t.first.w) + floor(uv.y * t.second.w);
+  bool odd = cell - 2.0 * floor(cell * 0.5) == 1.0;
+  return odd ? t.second.rgb : t.first.rgb;
+}
+
+/// What a byte of an image stands for.
+float texel_channel(TextureRecord t, uint texel, uint shift) {
+  return uintBitsToFloat(texels[t.decoding + ((texel >> shift) & 255u)]);
+}
+
+vec3 image_texel(TextureRecord t, uint x, uint y) {
+  uint texel = texels[t.first_texel + y * t.width + x];
+  return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u), texel_channel(t, texel, 16u));
+}
+
+/// Texel left of a coordinate that lies in [-1/2, size], wrapped.
+uint wrapped_texel(float base, uint size) { return uint(int(base) + int(size)) % size; }
+
+vec3 image_value(TextureRecord t, vec2 uv) {
+  vec2 scaled = vec2(uv.x * t.first.w, uv.y * t.second.w);
+  vec2 within = scaled - floor(scaled);
+  vec2 at = vec2((1.0 - within.x) * float(t.width), (1.0 - within.y) * float(t.height)) - vec2(0.5);
+  vec2 base = floor(at);
+  vec2 f = at - base;
+  uint w = max(t.width, 1u);
+  uint h = max(t.height, 1u);
+  uint x0 = wrapped_texel(base.x, w);
+  uint x1 = (x0 + 1u) % w;
+  uint y0 = wrapped_texel(base.y, h);
+  uint y1 = (y0 + 1u) % h;
+  vec3 top = (1.0 - f.x) * image_texel(t, x0, y0) + f.x * image_texel(t, x1, y0);
+  vec3 bottom = (1.0 - f.x) * image_texel(t, x0, y1) + f.x * image_texel(t, x1, y1);
+  return t.first.rgb * ((1.0 - f.y) * top + f.y * bottom);
+}
+
+/// Value of a texture, or of none.
+vec3 texture_value(uint index, vec3 constant, vec2 uv) {
+  if (TEXTURE_KINDS == 0u) return constant;
+  TextureRecord t = textures[index == NONE ? 0u : index];
+  vec3 value = vec3(0.0);
+  if ((TEXTURE_KINDS & TEXTURE_CHECKER) != 0u) value = checker_value(t, uv);
+  if ((TEXTURE_KINDS & TEXTURE_IMAGE) != 0u && t.width != 0u) value = image_value(t, uv);
+  return index == NONE ? constant : value;
+}
+
+/// A BSDF's parameters at a point.
+BsdfRecord textured_bsdf(BsdfRecord b, vec2 uv) {
+  if (TEXTURE_KINDS == 0u) return b;
+  b.a.rgb = texture_value(b.texture_a, b.a.rgb, uv);
+  b.b.rgb = texture_value(b.texture_b, b.b.rgb, uv);
+  vec3 roughness = texture_value(b.texture_alpha, vec3(0.0), uv);
+  float alpha = 0.2126 * roughness.r + 0.7152 * roughness.g + 0.0722 * roughness.b;
+  b.a.w = b.texture_alpha == NONE ? b.a.w : min(max(alpha, 1.0e-4), 1.0);
+  return b;
+}
+
+#endif
