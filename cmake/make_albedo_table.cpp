@@ -42,7 +42,7 @@ void write_table(std::FILE* out, const bsdf::MicrofacetOptions& options) {
       const double x = static_cast<double>(column) / (n - 1);
       // At cos 0 there is nothing to integrate; the last value that there is stands for the limit.
       const double e = albedo(std::max(x * x, 1e-4), std::max(y * y, 1e-4), options);
-      std::fprintf(out, "%.7gF,%c", e, column % 8 == 7 ? '\n' : ' ');
+      std::fprintf(out, "%.8eF,%c", e, column % 8 == 7 ? '\n' : ' ');
     }
   }
   std::fprintf(out, "},\n");

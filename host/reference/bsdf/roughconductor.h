@@ -1,6 +1,7 @@
 #pragma once
 #include "reference/bsdf/fresnel.h"
 #include "reference/bsdf/microfacets.h"
+#include "reference/bsdf/multiscatter.h"
 #include "reference/bsdf/sample.h"
 #include "scene/bsdf/roughconductor.h"
 
@@ -14,7 +15,7 @@ class RoughConductor {
 
   template <typename Parameters>
   RoughConductor(const bsdf::RoughConductor& p, Parameters& at, LobeSampling sampling)
-      : r0_(at.color(p.r0)), microfacets_(at.roughness(p.alpha), p.options, sampling) {}
+      : RoughConductor(p, at.color(p.r0), at.roughness(p.alpha), sampling) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -23,7 +24,7 @@ class RoughConductor {
     const HalfVector<Real> half(wo, wi);
     const Real g = microfacets_.masking(wo, wi, probe);
     const Real lobe = microfacets_.density(half.sum, probe) * g / (4 * wi.z * wo.z);
-    return schlick(r0_, half.cosine) * lobe;
+    return schlick(r0_, half.cosine) * multiscatter_.factor(wo.z, r0_) * lobe;
   }
 
   template <typename Probe>
@@ -38,10 +39,14 @@ class RoughConductor {
     const Vec3<Real> wi = half.reflect(wo);
     if (!is_above(wi, probe)) return {wi, 0, Vec3<Real>(0)};
     const Real weight = microfacets_.half_vector_weight(wo, wi, h, half.cosine, probe);
-    return {wi, reflected_pdf(wo, half, probe), schlick(r0_, half.cosine) * weight};
+    return {wi, reflected_pdf(wo, half, probe),
+            schlick(r0_, half.cosine) * multiscatter_.factor(wo.z, r0_) * weight};
   }
 
  private:
+  RoughConductor(const bsdf::RoughConductor& p, const Vec3<Real>& r0, Real alpha, LobeSampling sampling)
+      : r0_(r0), microfacets_(alpha, p.options, sampling), multiscatter_(p.options, alpha, p.multiscatter) {}
+
   template <typename Probe>
   Real reflected_pdf(const Vec3<Real>& wo, const HalfVector<Real>& half, Probe& probe) const {
     const Real d = microfacets_.density(half.sum, probe);
@@ -50,6 +55,7 @@ class RoughConductor {
 
   Vec3<Real> r0_;
   Microfacets<Real> microfacets_;
+  Multiscatter<Real> multiscatter_;
 };
 
 }  // namespace facet::reference
