@@ -26,10 +26,13 @@ template <typename Real, typename Probe>
                                        Probe& probe) {
   const auto width = static_cast<Real>(t.width);
   const auto height = static_cast<Real>(t.height);
-  const Real u = uv.x * static_cast<Real>(t.scale_x);
-  const Real v = uv.y * static_cast<Real>(t.scale_y);
-  const Real x = (1 - (u - std::floor(u))) * width - Real(0.5);
-  const Real y = (1 - (v - std::floor(v))) * height - Real(0.5);
+  const Vec3<Real> scaled =
+      probe.nudged(Vec3<Real>(uv.x * static_cast<Real>(t.scale_x), uv.y * static_cast<Real>(t.scale_y), 0));
+  // Shares of the whole image, which carry rounding errors of 1.
+  const Vec3<Real> shares = probe.nudged(
+      Vec3<Real>(1 - (scaled.x - std::floor(scaled.x)), 1 - (scaled.y - std::floor(scaled.y)), 1));
+  const Real x = shares.x * width - Real(0.5);
+  const Real y = shares.y * height - Real(0.5);
   const Real left = decided_floor(x, width, DecisionKind::texel, item, probe);
   const Real upper = decided_floor(y, height, DecisionKind::texel, item + 1, probe);
   const auto texel = [&](Real column, Real row) {

@@ -15,7 +15,11 @@ class RoughConductor {
 
   template <typename Parameters>
   RoughConductor(const bsdf::RoughConductor& p, Parameters& at, LobeSampling sampling)
-      : RoughConductor(p, at.color(p.r0), at.roughness(p.alpha), sampling) {}
+      : r0_(at.color(p.r0)),
+        alpha_(at.roughness(p.alpha)),
+        microfacets_(alpha_, p.options, sampling),
+        options_(p.options),
+        multiscatter_(p.multiscatter) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -24,7 +28,7 @@ class RoughConductor {
     const HalfVector<Real> half(wo, wi);
     const Real g = microfacets_.masking(wo, wi, probe);
     const Real lobe = microfacets_.density(half.sum, probe) * g / (4 * wi.z * wo.z);
-    return schlick(r0_, half.cosine) * multiscatter_.factor(wo.z, r0_) * lobe;
+    return reflectance(half.cosine) * gain(wo) * lobe;
   }
 
   template <typename Probe>
@@ -39,23 +43,30 @@ class RoughConductor {
     const Vec3<Real> wi = half.reflect(wo);
     if (!is_above(wi, probe)) return {wi, 0, Vec3<Real>(0)};
     const Real weight = microfacets_.half_vector_weight(wo, wi, h, half.cosine, probe);
-    return {wi, reflected_pdf(wo, half, probe),
-            schlick(r0_, half.cosine) * multiscatter_.factor(wo.z, r0_) * weight};
+    return {wi, reflected_pdf(wo, half, probe), reflectance(half.cosine) * gain(wo) * weight};
   }
 
  private:
-  RoughConductor(const bsdf::RoughConductor& p, const Vec3<Real>& r0, Real alpha, LobeSampling sampling)
-      : r0_(r0), microfacets_(alpha, p.options, sampling), multiscatter_(p.options, alpha, p.multiscatter) {}
-
   template <typename Probe>
   Real reflected_pdf(const Vec3<Real>& wo, const HalfVector<Real>& half, Probe& probe) const {
     const Real d = microfacets_.density(half.sum, probe);
     return microfacets_.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
   }
 
+  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const { return schlick(r0_, cosine); }
+
+  /// What multiple scattering gives back.
+  [[nodiscard]] Vec3<Real> gain(const Vec3<Real>& wo) const {
+    if (!multiscatter_) return Vec3<Real>(1);
+    const Real lossless = lossless_albedo(options_, alpha_, wo.z);
+    return Real(1) + reflectance(1) * (1 / lossless - 1);
+  }
+
   Vec3<Real> r0_;
+  Real alpha_;
   Microfacets<Real> microfacets_;
-  Multiscatter<Real> multiscatter_;
+  bsdf::MicrofacetOptions options_;
+  bool multiscatter_;
 };
 
 }  // namespace facet::reference
