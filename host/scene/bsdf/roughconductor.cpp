@@ -7,9 +7,8 @@ namespace facet::bsdf {
 
 namespace {
 
-ConductorIor read_material(PropertyReader& properties) {
+ConductorIor metal_of(const PropertyReader& properties, const std::string& name) {
   const std::vector<std::string> names = metal_names();
-  const std::string name = properties.string("material", "");
   if (const auto metal = find_metal(name)) return *metal;
   properties.fail("material", fmt::format("is \"{}\", which is none of: {}{}", name, fmt::join(names, ", "),
                                           did_you_mean(name, names)));
@@ -17,16 +16,19 @@ ConductorIor read_material(PropertyReader& properties) {
 
 /// By name, by number, or not at all.
 std::optional<ConductorIor> read_ior(PropertyReader& properties, bool has_r0) {
+  const std::string name = properties.string("material", "");
+  const ConductorIor ior{properties.color_between("eta", 0.001F, 1000),
+                         properties.color_between("k", 0, 1000)};
+  const bool material = properties.has("material");
   const bool eta = properties.has("eta");
   const bool k = properties.has("k");
-  const bool material = properties.has("material");
   if (!eta && !k && !material) return std::nullopt;
   if (has_r0) properties.fail("R0", "excludes \"material\", \"eta\" and \"k\"");
   if (material && (eta || k)) properties.fail("material", "excludes \"eta\" and \"k\"");
-  if (material) return read_material(properties);
+  if (material) return metal_of(properties, name);
   if (!k) properties.fail("eta", "needs \"k\" beside it");
   if (!eta) properties.fail("k", "needs \"eta\" beside it");
-  return ConductorIor{properties.color_between("eta", 0.001F, 1000), properties.color_between("k", 0, 1000)};
+  return ior;
 }
 
 }  // namespace
