@@ -7,7 +7,7 @@ namespace facet::bsdf {
 struct RoughConductor {
   Textured<Color> r0{Color(0.5F)};
   Textured<float> alpha{0.1F};
-  MicrofacetOptions options;
+  MicrofacetOptions options{};
   bool multiscatter = false;
 
   static RoughConductor read(PropertyReader& properties);
