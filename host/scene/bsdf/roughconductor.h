@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "scene/bsdf/metals.h"
 #include "scene/bsdf/rough.h"
 
 namespace facet::bsdf {
@@ -9,6 +12,8 @@ struct RoughConductor {
   Textured<float> alpha{0.1F};
   MicrofacetOptions options{};
   bool multiscatter = false;
+  /// Instead of r0: the exact Fresnel term, not Schlick's.
+  std::optional<ConductorIor> ior;
 
   static RoughConductor read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

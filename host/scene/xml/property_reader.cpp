@@ -215,6 +215,14 @@ Color PropertyReader::radiance(const std::string& name, const Color& fallback) {
   return c;
 }
 
+Color PropertyReader::color_between(const std::string& name, float least, float most) {
+  const Color c = color(name, Color(least));
+  if (glm::any(glm::lessThan(c, Color(least))) || glm::any(glm::greaterThan(c, Color(most)))) {
+    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must be {:g} to {:g}", c.r, c.g, c.b, least, most));
+  }
+  return c;
+}
+
 float PropertyReader::roughness(const std::string& name, float fallback) {
   const double alpha = real(name, fallback);
   if (alpha < 1e-4)

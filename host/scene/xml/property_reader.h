@@ -50,6 +50,8 @@ class PropertyReader {
   Color reflectance(const std::string& name, const Color& fallback);
   /// A colour that is nowhere negative, nor larger than largest_radiance.
   Color radiance(const std::string& name, const Color& fallback);
+  /// A colour, every channel within bounds; `least` where the object has none.
+  Color color_between(const std::string& name, float least, float most);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
   /// The same from a texture where the object has one of that name, or of the other name, by which the lab
