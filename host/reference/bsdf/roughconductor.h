@@ -7,7 +7,7 @@
 
 namespace facet::reference {
 
-/// Torrance and Sparrow's lobe with Schlick's Fresnel term.
+/// Torrance and Sparrow's lobe with Schlick's Fresnel term, or that of a metal.
 template <typename Real>
 class RoughConductor {
  public:
@@ -19,6 +19,7 @@ class RoughConductor {
         alpha_(at.roughness(p.alpha)),
         microfacets_(alpha_, p.options, sampling),
         options_(p.options),
+        ior_(p.ior),
         multiscatter_(p.multiscatter) {}
 
   [[nodiscard]] bool delta() const { return false; }
@@ -53,7 +54,13 @@ class RoughConductor {
     return microfacets_.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
   }
 
-  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const { return schlick(r0_, cosine); }
+  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const {
+    if (!ior_) return schlick(r0_, cosine);
+    const auto channel = [&](int i) {
+      return conductor_reflectance(cosine, Real(ior_->eta[i]), Real(ior_->k[i]));
+    };
+    return {channel(0), channel(1), channel(2)};
+  }
 
   /// What multiple scattering gives back.
   [[nodiscard]] Vec3<Real> gain(const Vec3<Real>& wo) const {
@@ -66,6 +73,7 @@ class RoughConductor {
   Real alpha_;
   Microfacets<Real> microfacets_;
   bsdf::MicrofacetOptions options_;
+  std::optional<ConductorIor> ior_;
   bool multiscatter_;
 };
 
