@@ -37,7 +37,7 @@ template <typename Real, typename Probe>
 /// with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c q + s^2), s^2 = 1 -
 /// c^2.
 template <typename Real>
-[[nodiscard]] Real conductor_reflectance(Real c, Real eta, Real k) {
+[[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
   using Complex = std::complex<Real>;
   const Real s2 = std::max((1 - c) * (1 + c), Real(0));
   const Complex excess((eta - 1) * (eta + 1) - k * k, 2 * eta * k);  // n^2 - 1

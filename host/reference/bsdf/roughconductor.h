@@ -7,7 +7,7 @@
 
 namespace facet::reference {
 
-/// Torrance and Sparrow's lobe with Schlick's Fresnel term, or that of a metal.
+/// Torrance and Sparrow's lobe with Schlick's Fresnel term, or that of a conductor.
 template <typename Real>
 class RoughConductor {
  public:
@@ -19,8 +19,8 @@ class RoughConductor {
         alpha_(at.roughness(p.alpha)),
         microfacets_(alpha_, p.options, sampling),
         options_(p.options),
-        ior_(p.ior),
-        multiscatter_(p.multiscatter) {}
+        multiscatter_(p.multiscatter),
+        ior_(p.ior) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -56,10 +56,10 @@ class RoughConductor {
 
   [[nodiscard]] Vec3<Real> reflectance(Real cosine) const {
     if (!ior_) return schlick(r0_, cosine);
-    const auto channel = [&](int i) {
-      return conductor_reflectance(cosine, Real(ior_->eta[i]), Real(ior_->k[i]));
-    };
-    return {channel(0), channel(1), channel(2)};
+    Vec3<Real> f;
+    for (int i = 0; i < 3; ++i)
+      f[i] = conductor_reflectance(Real(ior_->eta[i]), Real(ior_->k[i]), std::min(cosine, Real(1)));
+    return f;
   }
 
   /// What multiple scattering gives back.
@@ -73,8 +73,8 @@ class RoughConductor {
   Real alpha_;
   Microfacets<Real> microfacets_;
   bsdf::MicrofacetOptions options_;
-  std::optional<ConductorIor> ior_;
   bool multiscatter_;
+  std::optional<facet::ConductorIor> ior_;
 };
 
 }  // namespace facet::reference
