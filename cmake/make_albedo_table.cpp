@@ -13,7 +13,7 @@ using namespace facet;
 using reference::Vec3;
 
 /// Points along each axis of the midpoint rule over the numbers (u, v) of a sample.
-constexpr int points = 40;
+constexpr int points = 96;
 
 double albedo(double cosine, double alpha, const bsdf::MicrofacetOptions& options) {
   const reference::Microfacets<double> microfacets(alpha, options, LobeSampling::visible);
@@ -42,7 +42,7 @@ void write_table(std::FILE* out, const bsdf::MicrofacetOptions& options) {
       const double x = static_cast<double>(column) / (n - 1);
       // At cos 0 there is nothing to integrate; the last value that there is stands for the limit.
       const double e = albedo(std::max(x * x, 1e-4), std::max(y * y, 1e-4), options);
-      std::fprintf(out, "%.7gF,%c", e, column % 8 == 7 ? '\n' : ' ');
+      std::fprintf(out, "%#.7gF,%c", e, column % 8 == 7 ? '\n' : ' ');
     }
   }
   std::fprintf(out, "},\n");

@@ -188,9 +188,11 @@ std::string describe(const World<float>& world, const TurnedDecision& t) {
   const bool shadow = t.key.ray % 2 == 1;
   std::string item = item_text(world, t.key);
   if (!item.empty()) item = " of " + item;
-  return fmt::format("{}{}, at {} {}: margin {:.2g}, spread {:.2g}", decision_name(t.key.kind), item,
-                     shadow ? "the emitter sample of interaction" : "the ray to interaction", k, t.margin,
-                     t.spread);
+  const bool every = world.scene.integrator.type.every_emitter;
+  const std::string emitter = every ? fmt::format("sample of emitter {}", t.key.emitter) : "emitter sample";
+  const std::string place = shadow ? fmt::format("the {} of interaction", emitter) : "the ray to interaction";
+  return fmt::format("{}{}, at {} {}: margin {:.2g}, spread {:.2g}", decision_name(t.key.kind), item, place,
+                     k, t.margin, t.spread);
 }
 
 }  // namespace facet::reference

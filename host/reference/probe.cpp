@@ -13,7 +13,7 @@ const char* decision_name(DecisionKind kind) {
 }
 
 bool Watch::decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin) {
-  const DecisionKey key{kind, ray_, item};
+  const DecisionKey key{kind, ray_, emitter_, item};
   const auto forced = forced_.find(key);
   if (forced != forced_.end()) outcome = forced->second;
   decisions_[key] = {outcome, margin};

@@ -19,26 +19,27 @@ enum class DecisionKind : std::uint8_t {
   order,        ///< which of two triangles is nearer
   range,        ///< does a hit lie within the ray's range
   frame,        ///< which half of the sphere does the shading frame belong to: n.z
-  horizon,      ///< is a direction above the shaded side: its z
+  horizon,      ///< is a direction above the shaded side, or above a microfacet: its z
   emission,     ///< does an emitter show its bright side: ns.d
   offset,       ///< to which side of its surface does a ray leave: d.ng
   lobe,         ///< which lobe is sampled: u - p
   masking,      ///< is G1 1: b - 1.6
   tail,         ///< is D zero: tan^2/alpha^2 - 87
   reflectance,  ///< is reflection total
-  cell,         ///< in which cell of the environment's density lies a direction
-  texel,        ///< between which texels of the environment: its slope changes there
+  cell,         ///< in which cell of the environment's density or of a checker lies a direction or a point
+  texel,        ///< between which texels of an image: its slope changes there
   roulette,     ///< does the path go on: u - q
 };
 
 [[nodiscard]] const char* decision_name(DecisionKind kind);
 
 /// One decision of a sample. ray: 2 (k - 1) for the path's ray to interaction k and what is decided there,
-/// one more for that interaction's shadow ray and emitter sample. item: which of several, for instance the
-/// triangle.
+/// one more for that interaction's shadow ray and emitter sample. emitter: where every emitter is sampled.
+/// item: which of several, for instance the triangle.
 struct DecisionKey {
   DecisionKind kind{};
   std::uint32_t ray = 0;
+  std::uint32_t emitter = 0;
   std::uint64_t item = 0;
 
   auto operator<=>(const DecisionKey&) const = default;
@@ -48,6 +49,7 @@ struct DecisionKey {
 enum class Part : std::uint8_t {
   mesh,            ///< a hit on mesh number i
   vertex_normals,  ///< shading with interpolated normals
+  texture,         ///< value of texture number i
   bsdf_eval,       ///< value of the BSDF of type i, for an emitter sample
   bsdf_sample,     ///< a direction sampled by the BSDF of type i
   bsdf_pdf,        ///< density of the BSDF of type i, for a MIS weight
@@ -74,7 +76,7 @@ struct Decision {
 struct Unwatched {
   static constexpr bool watches = false;
 
-  void at_ray(std::uint32_t /*ray*/) {}
+  void at_ray(std::uint32_t /*ray*/, std::size_t /*emitter*/ = 0) {}
   void found(std::uint32_t /*triangle*/) {}
   void uses(Part /*part*/, std::size_t /*index*/) {}
   bool decide(DecisionKind /*kind*/, std::uint64_t /*item*/, bool outcome, double /*margin*/) {
@@ -120,7 +122,10 @@ class Watch {
   Watch(std::uint32_t perturbation, const ForcedOutcomes& forced)
       : perturbation_(perturbation), forced_(forced) {}
 
-  void at_ray(std::uint32_t ray) { ray_ = ray; }
+  void at_ray(std::uint32_t ray, std::size_t emitter = 0) {
+    ray_ = ray;
+    emitter_ = static_cast<std::uint32_t>(emitter);
+  }
   void found(std::uint32_t /*triangle*/) {}
   void uses(Part /*part*/, std::size_t /*index*/) {}
   bool decide(DecisionKind kind, std::uint64_t item, bool outcome, double margin);
@@ -155,6 +160,7 @@ class Watch {
   std::uint32_t perturbation_;
   const ForcedOutcomes& forced_;
   std::uint32_t ray_ = 0;
+  std::uint32_t emitter_ = 0;
   std::uint32_t nudges_ = 0;
   std::map<DecisionKey, Decision> decisions_;
 };

@@ -38,4 +38,12 @@ struct Block {
   return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
 }
 
+/// Block of a sample of emitter e = 0, 1, ... of `count` at interaction k = 1, 2, ..., where every emitter is
+/// sampled.
+[[nodiscard]] inline Block emitter_block(const SampleId& id, std::uint32_t k, std::size_t e,
+                                         std::size_t count) {
+  const std::size_t block = 0x80000000U + (k - 1) * count + e;
+  return {shared::pcg4d({id.pixel, id.index, static_cast<std::uint32_t>(block), id.seed})};
+}
+
 }  // namespace facet::reference

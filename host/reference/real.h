@@ -9,6 +9,8 @@
 namespace facet::reference {
 
 template <typename Real>
+using Vec2 = glm::vec<2, Real>;
+template <typename Real>
 using Vec3 = glm::vec<3, Real>;
 
 template <typename Real>

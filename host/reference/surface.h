@@ -9,6 +9,7 @@ struct Surface {
   Vec3<Real> position;
   Vec3<Real> ng;       ///< geometric normal, unit, by the winding
   Vec3<Real> ns;       ///< shading normal, unit
+  Vec2<Real> uv{0};    ///< where the scene has textures
   Real magnitude = 0;  ///< largest absolute coordinate of the triangle's vertices
   std::uint32_t mesh = 0;
 
@@ -29,6 +30,17 @@ struct Surface {
   }
 };
 
+/// Texture coordinates of a point of a triangle of the mesh.
+template <typename Real, typename Probe>
+[[nodiscard]] Vec2<Real> texture_coordinates(const Mesh& mesh, std::uint32_t triangle, const Vec3<Real>& b,
+                                             Probe& probe) {
+  if (mesh.texcoord_indices.empty() || mesh.texcoord_indices[triangle].x == none) return {b.y, b.z};
+  const uvec3& i = mesh.texcoord_indices[triangle];
+  const Vec2<Real> uv = b.x * Vec2<Real>(mesh.texcoords[i.x]) + b.y * Vec2<Real>(mesh.texcoords[i.y]) +
+                        b.z * Vec2<Real>(mesh.texcoords[i.z]);
+  return Vec2<Real>(probe.nudged(Vec3<Real>(uv, 0)));
+}
+
 template <typename Real, typename Probe>
 [[nodiscard]] Surface<Real> surface_at(const Scene& scene, const Triangle<Real>& triangle, Real b1, Real b2,
                                        Probe& probe) {
@@ -40,6 +52,8 @@ template <typename Real, typename Probe>
   s.magnitude = triangle.magnitude;
   s.mesh = triangle.mesh;
   const Mesh& mesh = scene.meshes[triangle.mesh];
+  if (!scene.textures.empty())
+    s.uv = texture_coordinates(mesh, triangle.index, Vec3<Real>(b0, b1, b2), probe);
   if (mesh.normal_indices.empty() || mesh.normal_indices[triangle.index].x == none) return s;
   probe.uses(Part::vertex_normals, 0);
   const uvec3& n = mesh.normal_indices[triangle.index];

@@ -7,9 +7,14 @@ namespace facet::reference {
 namespace {
 
 std::string emitter_name(const Scene& scene, std::uint32_t i) {
-  const auto* area = std::get_if<AreaEmitter>(&scene.emitters[i]);
-  return area != nullptr ? fmt::format("emitter {} ({})", i, scene.meshes[area->mesh].name)
-                         : fmt::format("emitter {} (environment)", i);
+  if (const auto* area = std::get_if<AreaEmitter>(&scene.emitters[i]))
+    return fmt::format("emitter {} ({})", i, scene.meshes[area->mesh].name);
+  const bool point = std::holds_alternative<PointLight>(scene.emitters[i]);
+  return fmt::format("emitter {} ({})", i, point ? "point light" : "environment");
+}
+
+const char* texture_name(const Texture& texture) {
+  return std::holds_alternative<CheckerTexture>(texture) ? "checker" : "textmap";
 }
 
 std::string part_name(const Scene& scene, const Feature& f) {
@@ -18,6 +23,8 @@ std::string part_name(const Scene& scene, const Feature& f) {
       return fmt::format("surface of {} (mesh {})", scene.meshes[f.index].name, f.index);
     case Part::vertex_normals:
       return "interpolated normals";
+    case Part::texture:
+      return fmt::format("texture {} ({})", f.index, texture_name(scene.textures[f.index]));
     case Part::bsdf_eval:
       return fmt::format("value of {}", bsdf_type_names[f.index]);
     case Part::bsdf_sample:

@@ -1,5 +1,7 @@
 #pragma once
 // One sample from the camera to its radiance, by every integrator (docs/sampling.md).
+#include <optional>
+
 #include "reference/watched_intersect.h"
 #include "reference/world.h"
 
@@ -28,8 +30,10 @@ class Tracer {
         return depth(ray);
       case INTEGRATOR_ambient_occlusion:
         return ambient_occlusion(ray);
+      case INTEGRATOR_simple:
+        return simple(ray);
       default:
-        return path(ray);
+        return radiance_along(ray);
     }
   }
 
@@ -47,7 +51,15 @@ class Tracer {
     Surface<Real> surface;
     Frame<Real> frame;
     Vec3<Real> wo;
-    const AnyBsdf<Real>& bsdf;
+    AnyBsdf<Real> bsdf;  ///< seen from wo's side
+  };
+
+  /// The ray that comes next, and what its path has gone through.
+  struct Path {
+    Ray<Real> ray;
+    Vec3<Real> throughput{1};
+    Real pdf = 0;   ///< of the ray's direction, sr^-1, or delta_pdf
+    Real eta2 = 1;  ///< product of (eta_i/eta_o)^2 of all refractions
   };
 
   [[nodiscard]] Hit<Real> closest(const Ray<Real>& ray) {
@@ -55,13 +67,21 @@ class Tracer {
     Hit<Real> hit;
     if constexpr (Probe::watches) {
       hit = closest_hit(world_.geometry, ray, probe_);
-      hit.b1 += probe_.nudged(Real(1)) - 1;
-      hit.b2 += probe_.nudged(Real(1)) - 1;
+      if (hit.triangle != none) nudge(hit);
     } else {
       hit = closest_hit(world_.geometry, ray);
     }
     probe_.found(hit.triangle);
     return hit;
+  }
+
+  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by one of the weights.
+  void nudge(Hit<Real>& hit) {
+    const auto& v = world_.geometry.triangles[hit.triangle].vertices;
+    const Real edge = std::min({glm::length(v[1] - v[0]), glm::length(v[2] - v[1]), glm::length(v[0] - v[2])});
+    const Real ulps = std::max(Real(1), hit.t / edge);
+    hit.b1 += (probe_.nudged(Real(1)) - 1) * ulps;
+    hit.b2 += (probe_.nudged(Real(1)) - 1) * ulps;
   }
 
   [[nodiscard]] bool occluded(const Ray<Real>& ray) {
@@ -106,6 +126,22 @@ class Tracer {
     return Vec3<Real>(occluded({s.origin_towards(d, 0, probe_), d}) ? 0 : 1);
   }
 
+  [[nodiscard]] Vec3<Real> simple(const Ray<Real>& ray) {
+    const Hit<Real> hit = closest(ray);
+    if (hit.triangle == none) return Vec3<Real>(0);
+    const Surface<Real> s = surface_of(hit);
+    const Vec3<Real> position(integrator_.position);
+    const Vec3<Real> way = position - s.position;
+    const Vec3<Real> w = probe_.nudged(unit(way));
+    const Real cosine = glm::dot(s.ns, w);
+    if (!probe_.decide(DecisionKind::horizon, 0, cosine > 0, static_cast<double>(cosine)))
+      return Vec3<Real>(0);
+    probe_.at_ray(1);
+    const Vec3<Real> origin = s.origin_towards(w, 0, probe_);
+    if (occluded({origin, probe_.nudged(position - origin), 0, 1})) return Vec3<Real>(0);
+    return Vec3<Real>(integrator_.energy) / (4 * pi<Real> * pi<Real>)*(cosine / glm::dot(way, way));
+  }
+
   /// MIS weight of a sample of density `used` where another strategy has density `other`: 1/(1 + r), r their
   /// ratio, or its square under the power heuristic (E. Veach, L. Guibas 1995).
   [[nodiscard]] Real weight(Real used, Real other) const {
@@ -114,15 +150,14 @@ class Tracer {
     return 1 / (1 + (integrator_.heuristic == Heuristic::power ? r * r : r));
   }
 
-  /// Light by way of one emitter sample at interaction k, for a path of throughput 1.
-  [[nodiscard]] Vec3<Real> emitter_estimate(const Interaction& at, std::uint32_t k) {
+  /// Light by way of one sample of an emitter, for a path of throughput 1.
+  [[nodiscard]] Vec3<Real> light_of(const EmitterSample<Real>& e, const Interaction& at) {
     const Surface<Real>& s = at.surface;
-    const Block block = bounce_block(id_, k, shared::BOUNCE_EMITTER);
-    const EmitterSample<Real> e = world_.sample_emitter(s, block, probe_);
     const Vec3<Real> wi = probe_.nudged(at.frame.to_local(e.direction));
-    if (!above(wi) || !(e.pdf > 0)) return Vec3<Real>(0);
-    Vec3<Real> light = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (wi.z / e.pdf);
-    if (integrator_.type.material_sampling) light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
+    if (!(e.pdf > 0)) return Vec3<Real>(0);
+    Vec3<Real> light = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (std::abs(wi.z) / e.pdf);
+    const bool weighted = integrator_.type.material_sampling && !e.is_point;
+    if (weighted) light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
     if (light == Vec3<Real>(0)) return light;
     Ray<Real> shadow{s.origin_towards(e.direction, 0, probe_), e.direction};
     if (!e.at_infinity) {
@@ -136,21 +171,37 @@ class Tracer {
     // What does not contribute cannot be at fault.
     probe_.uses(Part::emitter_sample, e.emitter);
     probe_.uses(Part::bsdf_eval, at.bsdf.type());
-    if (integrator_.type.material_sampling) probe_.uses(Part::bsdf_pdf, at.bsdf.type());
+    if (weighted) probe_.uses(Part::bsdf_pdf, at.bsdf.type());
     return light;
   }
 
-  [[nodiscard]] bool above(const Vec3<Real>& w) {
-    return probe_.decide(DecisionKind::horizon, 0, w.z > 0, static_cast<double>(w.z));
+  /// Adds the light of emitter samples at interaction k.
+  void add_emitter_samples(const Interaction& at, std::uint32_t k, const Vec3<Real>& throughput,
+                           Vec3<Real>& radiance) {
+    if (!integrator_.type.every_emitter) {
+      probe_.at_ray(2 * k - 1);
+      const Block block = bounce_block(id_, k, shared::BOUNCE_EMITTER);
+      radiance += throughput * light_of(world_.sample_emitter(at.surface, block, probe_), at);
+      return;
+    }
+    const std::size_t count = world_.scene.emitters.size();
+    for (std::size_t e = 0; e < count; ++e) {
+      probe_.at_ray(2 * k - 1, e);
+      const Block block = emitter_block(id_, k, e, count);
+      radiance += throughput * light_of(world_.sample_emitter(e, at.surface, block, probe_), at);
+    }
   }
 
   /// Whether a path goes on after interaction k; divides its throughput by the probability.
-  [[nodiscard]] bool survives(Vec3<Real>& throughput, std::uint32_t k, Real u) {
-    if (k < shared::ROULETTE_FIRST) return true;
+  [[nodiscard]] bool survives(Path& path, std::uint32_t k, Real u) {
+    if (!integrator_.type.every_emitter && k < shared::ROULETTE_FIRST) return true;
     probe_.uses(Part::roulette, 0);
-    const Real largest = std::max({throughput.x, throughput.y, throughput.z});
-    const Real q = std::min(Real(0.95), probe_.nudged(largest));
-    throughput /= q;
+    auto q = static_cast<Real>(0.95);
+    if (!integrator_.type.every_emitter) {
+      const Vec3<Real>& t = path.throughput;
+      q = std::min(q, probe_.nudged(path.eta2 * std::max({t.x, t.y, t.z})));
+    }
+    path.throughput /= q;
     return probe_.decide(DecisionKind::roulette, 0, u < q, static_cast<double>(q - u));
   }
 
@@ -161,9 +212,10 @@ class Tracer {
       probe_.uses(Part::emission_seen, found.emitter);
       return found.radiance;
     }
-    if (!integrator_.type.material_sampling) return Vec3<Real>(0);
+    const bool by_delta = pdf == delta_pdf<Real>;
+    if (!by_delta && !integrator_.type.material_sampling) return Vec3<Real>(0);
     probe_.uses(Part::emission_found, found.emitter);
-    if (!samples_emitters()) return found.radiance;
+    if (by_delta || !samples_emitters()) return found.radiance;
     return found.radiance * weight(pdf, found.pdf);
   }
 
@@ -171,50 +223,64 @@ class Tracer {
     return integrator_.type.emitter_sampling && !world_.scene.emitters.empty();
   }
 
-  [[nodiscard]] Vec3<Real> path(Ray<Real> ray) {
+  /// Whether a path goes on at an interaction, if only to look for emission.
+  [[nodiscard]] bool follows(bool delta, bool is_last) const {
+    if (delta) return true;
+    return !integrator_.type.every_emitter && !(is_last && !integrator_.type.material_sampling);
+  }
+
+  [[nodiscard]] Vec3<Real> radiance_along(const Ray<Real>& first) {
     const int limit = integrator_.interaction_limit();
     const std::uint32_t last = limit < 0 ? none : static_cast<std::uint32_t>(limit);
     Vec3<Real> radiance(0);
-    Vec3<Real> throughput(1);
-    Real pdf = 0;
+    Path path{first};
     for (std::uint32_t k = 1;; ++k) {
       probe_.at_ray(2 * (k - 1));
-      const Hit<Real> hit = closest(ray);
+      const Vec3<Real>& d = path.ray.direction;
+      const Hit<Real> hit = closest(path.ray);
       if (hit.triangle == none)
-        return radiance + throughput * weighted(world_.emission_from_afar(ray.direction, probe_), k, pdf);
+        return radiance + path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
       const Surface<Real> s = surface_of(hit);
-      radiance += throughput * weighted(world_.emission_of(s, ray.direction, hit.t, probe_), k, pdf);
-      const Frame<Real> frame = s.frame(probe_);
-      const Vec3<Real> wo = probe_.nudged(frame.to_local(-ray.direction));
-      if (k > last || !probe_.decide(DecisionKind::horizon, 1, wo.z > 0, static_cast<double>(wo.z)))
-        return radiance;
-      const Interaction at{s, frame, wo, world_.bsdfs[world_.scene.meshes[s.mesh].bsdf]};
-      if (samples_emitters()) {
-        probe_.at_ray(2 * k - 1);
-        radiance += throughput * emitter_estimate(at, k);
-      }
-      if (k >= last && !integrator_.type.material_sampling) return radiance;
+      const Vec3<Real> found =
+          path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
+      if (k > last) return radiance + found;
+      const std::optional<Interaction> at = interaction(s, d);
+      if (!at) return radiance + found;
+      if (!integrator_.type.every_emitter) radiance += found;
+      const bool delta = at->bsdf.delta();
+      if (samples_emitters() && !delta) add_emitter_samples(*at, k, path.throughput, radiance);
+      if (integrator_.type.every_emitter) radiance += found;
+      if (!follows(delta, k >= last)) return radiance;
       probe_.at_ray(2 * k);
-      if (!scatter(at, k, throughput, pdf, ray)) return radiance;
+      if (!scatter(*at, k, path)) return radiance;
     }
   }
 
+  /// The surface seen by a ray in direction d; nothing where that is its dark side.
+  [[nodiscard]] std::optional<Interaction> interaction(const Surface<Real>& s, const Vec3<Real>& d) {
+    const Frame<Real> frame = s.frame(probe_);
+    const Vec3<Real> wo = probe_.nudged(frame.to_local(-d));
+    Interaction at{s, frame, wo, world_.bsdf_of(s, probe_)};
+    if (probe_.decide(DecisionKind::horizon, 1, wo.z > 0, static_cast<double>(wo.z))) return at;
+    if (!at.bsdf.transmits() || wo.z == 0) return std::nullopt;
+    at.bsdf.turn_over();
+    return at;
+  }
+
   /// The ray that continues the path from interaction k.
-  [[nodiscard]] bool scatter(const Interaction& at, std::uint32_t k, Vec3<Real>& throughput, Real& pdf,
-                             Ray<Real>& ray) {
+  [[nodiscard]] bool scatter(const Interaction& at, std::uint32_t k, Path& path) {
     const Block block = bounce_block(id_, k, shared::BOUNCE_BSDF);
     const BsdfNumbers<Real> numbers{block.number<Real>(shared::BSDF_LOBE), block.number<Real>(shared::BSDF_U),
                                     block.number<Real>(shared::BSDF_V)};
     probe_.uses(Part::bsdf_sample, at.bsdf.type());
-    BsdfSample<Real> sample = at.bsdf.sample(at.wo, numbers, probe_);
-    sample.wi = probe_.nudged(sample.wi);
-    if (!above(sample.wi)) return false;
-    throughput *= sample.weight;
-    if (throughput == Vec3<Real>(0)) return false;
-    pdf = sample.pdf;
-    if (!survives(throughput, k, block.number<Real>(shared::BSDF_ROULETTE))) return false;
-    const Vec3<Real> d = probe_.nudged(at.frame.to_world(sample.wi));
-    ray = {at.surface.origin_towards(d, 2, probe_), d};
+    const BsdfSample<Real> sample = at.bsdf.sample(at.wo, numbers, probe_);
+    path.throughput *= sample.weight;
+    if (path.throughput == Vec3<Real>(0)) return false;
+    path.pdf = sample.pdf;
+    path.eta2 *= sample.eta2;
+    if (!survives(path, k, block.number<Real>(shared::BSDF_ROULETTE))) return false;
+    const Vec3<Real> d = probe_.nudged(at.frame.to_world(probe_.nudged(sample.wi)));
+    path.ray = {at.surface.origin_towards(d, 2, probe_), d};
     return true;
   }
 

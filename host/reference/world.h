@@ -1,12 +1,13 @@
 #pragma once
 // The scene in the reference's precision, with what is worked out once for all samples.
 #include <deque>
-#include <optional>
+#include <variant>
 
 #include "reference/bsdf/bsdf.h"
 #include "reference/camera.h"
 #include "reference/emitter/area.h"
 #include "reference/emitter/environment.h"
+#include "reference/emitter/point.h"
 
 namespace facet::reference {
 
@@ -14,14 +15,21 @@ namespace facet::reference {
 template <typename Real>
 class World {
  public:
-  World(const Scene& parsed, LobeSampling sampling) : scene(parsed), geometry(parsed), camera(parsed.camera) {
-    for (const Bsdf& b : parsed.bsdfs) bsdfs.emplace_back(b, sampling);
+  World(const Scene& parsed, LobeSampling lobes)
+      : scene(parsed), geometry(parsed), camera(parsed.camera), lobes_(lobes) {
     std::vector<double> weights;
     for (const Emitter& emitter : parsed.emitters) {
       const double power = add_emitter(emitter);
       weights.push_back(parsed.emitter_selection == EmitterSelection::uniform && power > 0 ? 1 : power);
     }
     choice_ = Choice(weights);
+  }
+
+  /// The BSDF of a point, seen from above.
+  template <typename Probe>
+  [[nodiscard]] AnyBsdf<Real> bsdf_of(const Surface<Real>& s, Probe& probe) const {
+    Parameters<Real, Probe> at(scene.textures, s.uv, probe);
+    return {scene.bsdfs[scene.meshes[s.mesh].bsdf], at, lobes_};
   }
 
   /// A direction from a surface towards some emitter; the density includes the choice of the emitter.
@@ -31,10 +39,18 @@ class World {
     const std::size_t chosen = choice_.choose(block.word(shared::EMITTER_CHOICE)).entry;
     // Where no emitter has power, none is sampled.
     if (!(choice_.probability(chosen) > 0)) return {};
-    const auto& light = lights_[chosen];
-    EmitterSample<Real> s = light ? light->sample(from, block, probe) : environment_->sample(block, probe);
-    s.emitter = chosen;
+    EmitterSample<Real> s = sample_emitter(chosen, from, block, probe);
     s.pdf *= static_cast<Real>(choice_.probability(chosen));
+    return s;
+  }
+
+  /// A direction from a surface towards emitter e.
+  template <typename Probe>
+  [[nodiscard]] EmitterSample<Real> sample_emitter(std::size_t e, const Surface<Real>& from,
+                                                   const Block& block, Probe& probe) const {
+    EmitterSample<Real> s =
+        std::visit([&](const auto& light) { return light.sample(from, block, probe); }, lights_[e]);
+    s.emitter = e;
     return s;
   }
 
@@ -44,7 +60,7 @@ class World {
                                         Probe& probe) const {
     const std::uint32_t emitter = scene.meshes[s.mesh].emitter;
     if (emitter == none) return {};
-    const AreaLight<Real>& light = *lights_[emitter];
+    const auto& light = std::get<AreaLight<Real>>(lights_[emitter]);
     return {emitter, light.emission(s, d, probe),
             light.pdf(s, d, distance) * static_cast<Real>(choice_.probability(emitter))};
   }
@@ -52,35 +68,36 @@ class World {
   /// What a ray finds that leaves the scene.
   template <typename Probe>
   [[nodiscard]] Found<Real> emission_from_afar(const Vec3<Real>& d, Probe& probe) const {
-    if (!environment_) return {};
-    Found<Real> found = environment_->find(d, probe);
-    found.emitter = environment_index_;
-    found.pdf *= static_cast<Real>(choice_.probability(environment_index_));
+    if (environment_ == none) return {};
+    Found<Real> found = std::get<Environment<Real>>(lights_[environment_]).find(d, probe);
+    found.emitter = environment_;
+    found.pdf *= static_cast<Real>(choice_.probability(environment_));
     return found;
   }
 
   const Scene& scene;
   Geometry<Real> geometry;
   PerspectiveCamera<Real> camera;
-  std::vector<AnyBsdf<Real>> bsdfs;
 
  private:
+  using Light = std::variant<AreaLight<Real>, Environment<Real>, PointSource<Real>>;
+
   /// Returns its power.
   double add_emitter(const Emitter& emitter) {
-    lights_.emplace_back();
     if (const auto* area = std::get_if<AreaEmitter>(&emitter)) {
-      lights_.back().emplace(scene, geometry, *area);
-      return lights_.back()->power();
+      lights_.emplace_back(std::in_place_type<AreaLight<Real>>, scene, geometry, *area);
+    } else if (const auto* point = std::get_if<PointLight>(&emitter)) {
+      lights_.emplace_back(std::in_place_type<PointSource<Real>>, *point);
+    } else {
+      environment_ = static_cast<std::uint32_t>(lights_.size());
+      lights_.emplace_back(std::in_place_type<Environment<Real>>, std::get<EnvironmentEmitter>(emitter));
     }
-    environment_.emplace(std::get<EnvironmentEmitter>(emitter));
-    environment_index_ = static_cast<std::uint32_t>(lights_.size() - 1);
-    const double radius = geometry.triangles.empty() ? 1 : glm::length(dvec3(geometry.bounds.extent())) / 2;
-    return 4 * pi<double> * pi<double> * radius * radius * environment_->mean_luminance();
+    return std::visit([&](const auto& light) { return light.power(geometry.bounds); }, lights_.back());
   }
 
-  std::deque<std::optional<AreaLight<Real>>> lights_;  ///< by emitter; empty for the environment
-  std::optional<Environment<Real>> environment_;
-  std::uint32_t environment_index_ = none;
+  LobeSampling lobes_;
+  std::deque<Light> lights_;  ///< by emitter
+  std::uint32_t environment_ = none;
   Choice choice_;
 };
 

@@ -104,10 +104,10 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   bool reflects = lobe < p;
   float e = r.eta_o / r.eta_i;
   float cos_t = sqrt(max(1.0 - e * e * max((1.0 - c) * (1.0 + c), 0.0), 0.0));
-  vec3 wi = reflects ? 2.0 * c * wh - r.wo : (e * c - cos_t) * wh - e * r.wo;
-  // (eta_i wi.wh + eta_o wo.wh) of the refracted pair, wi.wh = -cos_t
-  float denominator = r.eta_o * c - r.eta_i * cos_t;
-  float jacobian = 4.0 * c * (r.eta_i * r.eta_i) * cos_t / max(denominator * denominator, 1.0e-30);
+  // e c - cos_t, which would cancel for nearly equal indices; eta_i times it is eta_i wi.wh + eta_o wo.wh.
+  float bend = (r.eta_o - r.eta_i) * (r.eta_o + r.eta_i) / (r.eta_i * r.eta_i) / (e * c + cos_t);
+  vec3 wi = reflects ? 2.0 * c * wh - r.wo : bend * wh - e * r.wo;
+  float jacobian = 4.0 * c * cos_t / max(bend * bend, 1.0e-30);
   float pdf_h = microfacet_pdf(wh, c, r.wo, r.m);
   s.pdf = pdf_h * (reflects ? p : (1.0 - p) * jacobian);
   float share = reflects ? f / p : (1.0 - f) / (1.0 - p) * (e * e);

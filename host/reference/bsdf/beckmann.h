@@ -4,14 +4,13 @@
 // "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014.
 #include "reference/bsdf/normal_law.h"
 #include "reference/probe.h"
-#include "scene/settings.h"
 
 namespace facet::reference {
 
 template <typename Real>
 class Beckmann {
  public:
-  Beckmann(Real alpha, LobeSampling sampling) : alpha_(alpha), visible_(sampling != LobeSampling::ndf) {}
+  explicit Beckmann(Real alpha) : alpha_(alpha) {}
 
   /// D(h) in sr^-1 for a vector h of any length: the density of the slope -h.xy/h.z over cos^4.
   template <typename Probe>
@@ -26,10 +25,10 @@ class Beckmann {
     return slope_density * (1 + tan2) * (1 + tan2);
   }
 
-  /// Walter's rational G1. which: 0 for wi, 1 for wo.
+  /// Walter's rational G1 for a direction of either side. which: number of the decision.
   template <typename Probe>
-  Real masking(const Vec3<Real>& w, std::uint64_t which, Probe& probe) const {
-    const Real b = probe.nudged(w.z / (alpha_ * std::hypot(w.x, w.y)));
+  Real rational_masking(const Vec3<Real>& w, std::uint64_t which, Probe& probe) const {
+    const Real b = probe.nudged(inverse_slope(w));
     const bool one =
         probe.decide(DecisionKind::masking, which, b >= Real(1.6), static_cast<double>(b) / 1.6 - 1);
     if (one) return 1;
@@ -39,34 +38,15 @@ class Beckmann {
 
   /// G1 of the distribution itself, 1/(1 + Lambda): what normalises the visible normals.
   Real exact_masking(const Vec3<Real>& w) const {
-    const Real b = w.z / (alpha_ * std::hypot(w.x, w.y));
+    const Real b = inverse_slope(w);
     if (!(b < 10)) return 1;
     const Real gauss = std::exp(-b * b) * std::numbers::inv_sqrtpi_v<Real>;
     return 1 / (1 + (gauss / b - std::erfc(b)) / 2);
   }
 
-  /// Unit half vector by the chosen strategy.
+  /// Half vector of density D cos, unit.
   template <typename Probe>
-  Vec3<Real> sample_half_vector(const Vec3<Real>& wo, Real u, Real v, Probe& probe) const {
-    return visible_ ? sample_visible(wo, u, v, probe) : sample_density(u, v);
-  }
-
-  /// Density of the direction wo reflected at the unit half vector h, sr^-1, where D(h) is already known.
-  Real reflected_pdf(const Vec3<Real>& wo, const Vec3<Real>& h, Real o_dot_h, Real d) const {
-    if (visible_) return exact_masking(wo) * d / (4 * wo.z);
-    return d * h.z / (4 * o_dot_h);
-  }
-
-  /// G (wo.h) D/(4 cos_i cos_o) cos_i over the density of the reflected direction: D cancels.
-  template <typename Probe>
-  Real reflected_weight(const Vec3<Real>& wo, const Vec3<Real>& wi, const Vec3<Real>& h, Real o_dot_h,
-                        Probe& probe) const {
-    const Real g = masking(wi, 0, probe) * masking(wo, 1, probe);
-    return visible_ ? g / exact_masking(wo) : g * o_dot_h / (wo.z * h.z);
-  }
-
- private:
-  Vec3<Real> sample_density(Real u, Real v) const {
+  Vec3<Real> sample_density(Real u, Real v, Probe& /*probe*/) const {
     Real sine = 0;
     Real cosine = 0;
     sin_cos_turns(v, sine, cosine);
@@ -74,6 +54,7 @@ class Beckmann {
     return unit(Vec3<Real>(tangent * cosine, tangent * sine, 1));
   }
 
+  /// Half vector of the density of the normals visible from wo, unit.
   template <typename Probe>
   Vec3<Real> sample_visible(const Vec3<Real>& wo, Real u, Real v, Probe& probe) const {
     constexpr Real least = Real(1) / 33554432;  // 2^-25
@@ -88,6 +69,10 @@ class Beckmann {
     return unit(Vec3<Real>(-alpha_ * (ex * along - ey * across), -alpha_ * (ey * along + ex * across), 1));
   }
 
+ private:
+  /// 1/(alpha tan(theta)).
+  Real inverse_slope(const Vec3<Real>& w) const { return std::abs(w.z) / (alpha_ * std::hypot(w.x, w.y)); }
+
   /// Slopes carry an error relative to 1 and to themselves.
   template <typename Probe>
   static Real nudged_slope(Real x, Probe& probe) {
@@ -96,19 +81,6 @@ class Beckmann {
   }
 
   Real alpha_;
-  bool visible_;
-};
-
-/// A pair of directions at a rough surface. Half vectors found from directions are not normalised: each
-/// component of the sum is exact to half an ulp, and wo.h = |h|^2/2 does not cancel.
-template <typename Real>
-struct HalfVector {
-  Vec3<Real> sum;
-  Vec3<Real> unit_h;
-  Real cosine;  ///< wo.h/|h| = |h|/2
-
-  HalfVector(const Vec3<Real>& wo, const Vec3<Real>& wi)
-      : sum(wo + wi), unit_h(unit(sum)), cosine(std::min(std::sqrt(glm::dot(sum, sum)) / 2, Real(1))) {}
 };
 
 }  // namespace facet::reference

@@ -2,40 +2,65 @@
 // Dispatch over the BSDFs of the shared list, and the guard that needs none of their sampling code.
 #include <variant>
 
+#include "reference/bsdf/dielectric.h"
 #include "reference/bsdf/diffuse.h"
+#include "reference/bsdf/fresnelblend.h"
+#include "reference/bsdf/microfacet.h"
+#include "reference/bsdf/mirror.h"
 #include "reference/bsdf/roughconductor.h"
+#include "reference/bsdf/roughdielectric.h"
 #include "reference/bsdf/roughsubstrate.h"
 #include "scene/bsdf/bsdf.h"
 
 namespace facet::reference {
 
+/// A BSDF at a point, seen from one side.
 template <typename Real>
 class AnyBsdf {
  public:
-  AnyBsdf(const Bsdf& parameters, LobeSampling sampling)
-      : uniform_(sampling == LobeSampling::uniform), model_(make(parameters, sampling)) {}
+  /// at: values of the parameters at the point.
+  template <typename Parameters>
+  AnyBsdf(const Bsdf& parameters, Parameters& at, LobeSampling sampling)
+      : uniform_(sampling == LobeSampling::uniform), model_(make(parameters, at, sampling)) {}
 
   /// Id of the shared list.
   [[nodiscard]] std::size_t type() const { return model_.index(); }
 
-  /// f(wo, wi), sr^-1; both above the surface.
+  [[nodiscard]] bool transmits() const {
+    return std::visit([](const auto& m) { return m.transmits; }, model_);
+  }
+  /// Whether it scatters into single directions only.
+  [[nodiscard]] bool delta() const {
+    return std::visit([](const auto& m) { return m.delta(); }, model_);
+  }
+
+  /// Where it transmits: wo now lies below.
+  void turn_over() {
+    turned_ = !turned_;
+    visit_transmitting(*this, [](auto& m) { m.turn_over(); });
+  }
+
+  /// f(wo, wi), sr^-1; wo on the side that is seen. 0 where light cannot go, and for delta lobes.
   template <typename Probe>
   Vec3<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi, Probe& probe) const {
-    return std::visit([&](const auto& m) { return m.eval(wo, wi, probe); }, model_);
+    if (!has_value(wi, probe)) return Vec3<Real>(0);
+    return std::visit([&](const auto& m) { return m.eval(seen(wo), seen(wi), probe); }, model_);
   }
 
   /// Density of wi under sample, sr^-1.
   template <typename Probe>
   Real pdf(const Vec3<Real>& wo, const Vec3<Real>& wi, Probe& probe) const {
-    if (uniform_) return 1 / (2 * pi<Real>);
-    return std::visit([&](const auto& m) { return m.pdf(wo, wi, probe); }, model_);
+    if (!has_value(wi, probe)) return 0;
+    if (uniform_) return uniform_pdf();
+    return std::visit([&](const auto& m) { return m.pdf(seen(wo), seen(wi), probe); }, model_);
   }
 
   template <typename Probe>
   BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
-    if (!uniform_) return std::visit([&](const auto& m) { return m.sample(wo, n, probe); }, model_);
-    const Vec3<Real> wi = uniform_direction(n.u, n.v);
-    return {wi, 1 / (2 * pi<Real>), wi.z > 0 ? eval(wo, wi, probe) * (2 * pi<Real> * wi.z) : Vec3<Real>(0)};
+    if (uniform_ && !delta()) return sample_uniformly(wo, n, probe);
+    BsdfSample<Real> s = std::visit([&](const auto& m) { return m.sample(seen(wo), n, probe); }, model_);
+    s.wi = seen(s.wi);
+    return s;
   }
 
  private:
@@ -45,11 +70,12 @@ class AnyBsdf {
 #undef FACET_TYPE
                                                                            >{}));
 
-  static Model make(const Bsdf& parameters, LobeSampling sampling) {
+  template <typename Parameters>
+  static Model make(const Bsdf& parameters, Parameters& at, LobeSampling sampling) {
     switch (parameters.index()) {
 #define FACET_MAKE(name, Type, id) \
   case id:                         \
-    return Model(std::in_place_index<id>, std::get<id>(parameters), sampling);
+    return Model(std::in_place_index<id>, std::get<id>(parameters), at, sampling);
       FACET_BSDF_LIST(FACET_MAKE)
 #undef FACET_MAKE
       default:
@@ -57,7 +83,35 @@ class AnyBsdf {
     }
   }
 
+  /// The model's view of a direction.
+  [[nodiscard]] Vec3<Real> seen(const Vec3<Real>& w) const { return {w.x, w.y, turned_ ? -w.z : w.z}; }
+
+  template <typename Probe>
+  [[nodiscard]] bool has_value(const Vec3<Real>& wi, Probe& probe) const {
+    return !delta() && (transmits() || is_above(seen(wi), probe));
+  }
+
+  [[nodiscard]] Real uniform_pdf() const { return 1 / ((transmits() ? 4 : 2) * pi<Real>); }
+
+  template <typename Probe>
+  BsdfSample<Real> sample_uniformly(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+    const Vec3<Real> wi = uniform_direction(n.u, n.v, Real(transmits() ? 2 : 1));
+    BsdfSample<Real> s{wi, uniform_pdf(), eval(wo, wi, probe) * (std::abs(wi.z) / uniform_pdf())};
+    if (!is_above(seen(wi), probe)) visit_transmitting(*this, [&](const auto& m) { s.eta2 = m.eta2(); });
+    return s;
+  }
+
+  template <typename Self, typename Function>
+  static void visit_transmitting(Self& self, const Function& f) {
+    std::visit(
+        [&](auto& m) {
+          if constexpr (std::decay_t<decltype(m)>::transmits) f(m);
+        },
+        self.model_);
+  }
+
   bool uniform_;
+  bool turned_ = false;
   Model model_;
 };
 

@@ -9,7 +9,12 @@ namespace facet::reference {
 template <typename Real>
 class Diffuse {
  public:
-  Diffuse(const bsdf::Diffuse& parameters, LobeSampling /*sampling*/) : albedo_(parameters.albedo) {}
+  static constexpr bool transmits = false;
+
+  template <typename Parameters>
+  Diffuse(const bsdf::Diffuse& p, Parameters& at, LobeSampling /*sampling*/) : albedo_(at.color(p.albedo)) {}
+
+  [[nodiscard]] bool delta() const { return false; }
 
   template <typename Probe>
   Vec3<Real> eval(const Vec3<Real>& /*wo*/, const Vec3<Real>& /*wi*/, Probe& /*probe*/) const {

@@ -3,6 +3,7 @@
 #include "reference/emitter/sample.h"
 #include "reference/random.h"
 #include "reference/surface.h"
+#include "reference/texture.h"
 
 namespace facet::reference {
 
@@ -11,7 +12,7 @@ template <typename Real>
 class AreaLight {
  public:
   AreaLight(const Scene& scene, const Geometry<Real>& geometry, const AreaEmitter& emitter)
-      : scene_(scene), geometry_(geometry), radiance_(emitter.radiance) {
+      : scene_(scene), geometry_(geometry), radiance_(emitter.radiance), texture_(emitter.texture) {
     const Mesh& mesh = scene.meshes[emitter.mesh];
     std::vector<double> areas;
     for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
@@ -22,18 +23,20 @@ class AreaLight {
       area_ += areas.back();
     }
     by_area_ = Choice(areas);
-    power_ = std::numbers::pi * area_ * static_cast<double>(luminance(emitter.radiance));
+    power_ = std::numbers::pi * area_ * static_cast<double>(luminance(scene.mean_radiance(emitter)));
   }
 
-  /// Power in W, of white light: the weight of power selection.
-  [[nodiscard]] double power() const { return power_; }
+  /// Weight of power selection, W of white light.
+  [[nodiscard]] double power(const Box& /*bounds*/) const { return power_; }
 
   /// Radiance towards -d.
   template <typename Probe>
   [[nodiscard]] Vec3<Real> emission(const Surface<Real>& s, const Vec3<Real>& d, Probe& probe) const {
     const Real cosine = glm::dot(s.ns, d);
     const bool bright = probe.decide(DecisionKind::emission, 0, cosine < 0, static_cast<double>(cosine));
-    return bright ? radiance_ : Vec3<Real>(0);
+    if (!bright) return Vec3<Real>(0);
+    if (texture_ == none) return radiance_;
+    return radiance_ * texture_value(scene_.textures, texture_, s.uv, probe);
   }
 
   /// Density per solid angle of finding the point of s at a distance along d, sr^-1.
@@ -65,6 +68,7 @@ class AreaLight {
   const Scene& scene_;
   const Geometry<Real>& geometry_;
   Vec3<Real> radiance_;
+  std::uint32_t texture_;
   std::vector<std::uint32_t> triangles_;
   Choice by_area_;
   double area_ = 0;

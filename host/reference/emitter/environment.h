@@ -1,8 +1,9 @@
 #pragma once
 #include "reference/choice.h"
 #include "reference/emitter/sample.h"
-#include "reference/probe.h"
+#include "reference/grid.h"
 #include "reference/random.h"
+#include "reference/surface.h"
 #include "scene/scene.h"
 
 namespace facet::reference {
@@ -14,8 +15,11 @@ class Environment {
  public:
   explicit Environment(const EnvironmentEmitter& map);
 
-  /// Mean luminance over the sphere.
-  [[nodiscard]] double mean_luminance() const { return mean_luminance_; }
+  /// Weight of power selection for a scene of that bounding box, W of white light.
+  [[nodiscard]] double power(const Box& bounds) const {
+    const double radius = bounds.empty() ? 1 : glm::length(dvec3(bounds.extent())) / 2;
+    return 4 * pi<double> * pi<double> * radius * radius * mean_luminance_;
+  }
 
   /// Radiance from direction d and the density of sampling d.
   template <typename Probe>
@@ -25,7 +29,8 @@ class Environment {
   }
 
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample(const Block& block, Probe& probe) const {
+  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& /*from*/, const Block& block,
+                                           Probe& probe) const {
     const Choice::Outcome row = rows_.choose(block.word(shared::EMITTER_V));
     const Choice::Outcome column = columns_[row.entry].choose(block.word(shared::EMITTER_U));
     const Real fy = fraction(row.fraction);
@@ -61,31 +66,24 @@ class Environment {
     return {shares.x * static_cast<Real>(width_), shares.y * static_cast<Real>(height_)};
   }
 
-  /// Largest integer up to `at`, as a decision.
-  template <typename Probe>
-  static Real floor_of(Real at, std::size_t count, DecisionKind kind, std::uint64_t which, Probe& probe) {
-    const Real border = std::nearbyint(at);
-    const auto margin = static_cast<double>((at - border) / static_cast<Real>(count));
-    return probe.decide(kind, which, at >= border, margin) ? border : border - 1;
-  }
-
   template <typename Probe>
   static std::size_t cell(Real at, std::size_t count, std::uint64_t which, Probe& probe) {
-    const Real index = floor_of(at, count, DecisionKind::cell, which, probe);
+    const Real index = decided_floor(at, static_cast<Real>(count), DecisionKind::cell, which, probe);
     return static_cast<std::size_t>(std::clamp(index, Real(0), static_cast<Real>(count - 1)));
   }
 
   [[nodiscard]] Vec3<Real> texel(long long x, long long y) const {
-    const auto w = static_cast<long long>(width_);
-    const auto column = static_cast<std::size_t>((x % w + w) % w);
+    const std::size_t column = wrapped(x, static_cast<int>(width_));
     const auto row = static_cast<std::size_t>(std::clamp(y, 0LL, static_cast<long long>(height_) - 1));
     return texels_[row * width_ + column];
   }
 
   template <typename Probe>
   [[nodiscard]] Vec3<Real> radiance(const Place& at, Probe& probe) const {
-    const Real left = floor_of(at.x - Real(0.5), width_, DecisionKind::texel, 0, probe);
-    const Real lower = floor_of(at.y - Real(0.5), height_, DecisionKind::texel, 1, probe);
+    const Real left =
+        decided_floor(at.x - Real(0.5), static_cast<Real>(width_), DecisionKind::texel, 0, probe);
+    const Real lower =
+        decided_floor(at.y - Real(0.5), static_cast<Real>(height_), DecisionKind::texel, 1, probe);
     const Real fx = at.x - Real(0.5) - left;
     const Real fy = at.y - Real(0.5) - lower;
     const auto x = static_cast<long long>(left);
@@ -105,7 +103,7 @@ class Environment {
   Choice rows_;
   std::vector<Choice> columns_;
   std::vector<double> densities_;  ///< of the cells, sr^-1
-  double mean_luminance_ = 0;
+  double mean_luminance_ = 0;      ///< over the sphere
 };
 
 extern template class Environment<float>;
