@@ -22,8 +22,6 @@ Scene SceneReader::read(const pugi::xml_node& node) && {
   return std::move(scene_);
 }
 
-void SceneReader::add_bsdf(const pugi::xml_node& node) { scene_.bsdfs.push_back(read_bsdf(node)); }
-
 void SceneReader::read_camera(PropertyReader& scene) {
   const auto node = scene.only_child("camera");
   if (!node) throw InputError(scene.location(), "the scene has no camera");

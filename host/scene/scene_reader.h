@@ -15,10 +15,9 @@ class SceneReader {
 
   /// All of a <scene>.
   [[nodiscard]] Scene read(const pugi::xml_node& node) &&;
-  /// A <bsdf> that stands by itself: joins the scene's BSDFs, its textures the scene's textures.
-  void add_bsdf(const pugi::xml_node& node);
-  /// What was added.
-  [[nodiscard]] Scene take() && { return std::move(scene_); }
+  /// A <bsdf>; its textures join those of the scene.
+  [[nodiscard]] Bsdf read_bsdf(const pugi::xml_node& node);
+  [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
 
  private:
   void read_camera(PropertyReader& scene);
@@ -27,7 +26,6 @@ class SceneReader {
   void read_integrator(PropertyReader& scene);
   void read_mesh(const pugi::xml_node& node);
   void read_emitter(const pugi::xml_node& node);
-  [[nodiscard]] Bsdf read_bsdf(const pugi::xml_node& node);
   /// Returns the texture's index.
   std::uint32_t add_texture(const pugi::xml_node& node, float most);
   /// An object tag with a type.

@@ -15,26 +15,30 @@ struct TTest {
 
 /// Pearson's chi^2 test of a BSDF's samples against its density.
 struct ChiSquaredTest {
-  int resolution = 10;        ///< bins along cos theta, half as many as along phi
+  int resolution = 10;        ///< bins along cos theta; twice as many along phi
   double least_expected = 5;  ///< bins that expect fewer samples are pooled
   int sample_count = -1;      ///< per direction; -1: 5000 a bin
   int direction_count = 5;    ///< viewers per BSDF
 };
 
 /// A BSDF under test: how it is called in the file, and where it stands.
-struct TestSubject {
+struct TestedBsdf {
+  Bsdf bsdf;  ///< without textures
   std::string title;
+  SourceLocation where;
+};
+
+struct TestedScene {
+  Scene scene;
   SourceLocation where;
 };
 
 struct StatisticalTest {
   std::filesystem::path file;
-  double significance = 0.01;  ///< probability that a test file of correct code fails
+  double significance = 0.01;  ///< probability that correct code fails any of the cases
   std::variant<TTest, ChiSquaredTest> kind;
-  Scene materials;                 ///< the BSDFs under test, with their textures; nothing else
-  std::vector<TestSubject> bsdfs;  ///< one for each of the materials' BSDFs
-  std::vector<Scene> scenes;
-  std::vector<SourceLocation> places;  ///< one for each of the scenes
+  std::vector<TestedBsdf> bsdfs;
+  std::vector<TestedScene> scenes;  ///< empty where there are BSDFs
 
   /// Cases: pairs of BSDF and direction, or scenes.
   [[nodiscard]] std::size_t case_count() const;

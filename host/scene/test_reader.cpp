@@ -45,20 +45,19 @@ ChiSquaredTest read_chi_squared_test(PropertyReader& p) {
 /// The objects under test.
 void read_subjects(const XmlDocument& xml, PropertyReader& p, StatisticalTest& test,
                    Diagnostics& diagnostics) {
-  SceneReader materials(xml, diagnostics);
   for (const pugi::xml_node& node : p.children("bsdf")) {
-    materials.add_bsdf(node);
-    test.bsdfs.push_back({title_of(node), xml.location(node)});
+    SceneReader reader(xml, diagnostics);
+    test.bsdfs.push_back({reader.read_bsdf(node), title_of(node), xml.location(node)});
+    if (reader.has_textures())
+      throw InputError(xml.location(node), "a BSDF under test cannot have textures: it lies on no mesh");
   }
-  test.materials = std::move(materials).take();
   for (const pugi::xml_node& node : p.children("scene")) {
     if (std::holds_alternative<ChiSquaredTest>(test.kind))
       throw InputError(xml.location(node), fmt::format("{} cannot hold a scene, only BSDFs", p.title()));
     if (!test.bsdfs.empty())
       throw InputError(xml.location(node), fmt::format("{} holds both BSDFs and scenes", p.title()));
-    test.scenes.push_back(SceneReader(xml, diagnostics).read(node));
-    test.places.push_back(xml.location(node));
-    if (test.scenes.back().integrator.type.name.empty())
+    test.scenes.push_back({SceneReader(xml, diagnostics).read(node), xml.location(node)});
+    if (test.scenes.back().scene.integrator.type.name.empty())
       throw InputError(xml.location(node), "the scene has no integrator");
   }
   if (test.bsdfs.empty() && test.scenes.empty())
