@@ -61,11 +61,8 @@ std::string json_report(const std::vector<ReportedCase>& cases, const std::strin
   }
   const auto passed =
       std::count_if(cases.begin(), cases.end(), [](const auto& r) { return r.result.verdict.passed; });
-  const nlohmann::ordered_json json{{"backend", backend},
-                                    {"seed", seed},
-                                    {"total", cases.size()},
-                                    {"passed", passed},
-                                    {"cases", list}};
+  const nlohmann::ordered_json json{
+      {"backend", backend}, {"seed", seed}, {"total", cases.size()}, {"passed", passed}, {"cases", list}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

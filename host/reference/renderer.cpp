@@ -96,7 +96,8 @@ std::function<std::vector<vec3>(std::uint32_t)> sample_renderer(const Scene& sce
   const auto world = std::make_shared<const World<Real>>(scene, settings.sampling);
   return [world, settings](std::uint32_t sample) {
     const Crop& c = settings.crop;
-    std::vector<vec3> radiances(static_cast<std::size_t>(c.x1 - c.x0) * static_cast<std::size_t>(c.y1 - c.y0));
+    std::vector<vec3> radiances(static_cast<std::size_t>(c.x1 - c.x0) *
+                                static_cast<std::size_t>(c.y1 - c.y0));
     parallel_for(radiances.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const CropSample at(world->scene, settings, i, sample);

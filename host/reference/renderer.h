@@ -31,7 +31,7 @@ extern template Film render<double>(const Scene&, const RenderSettings&, const P
 
 extern template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<float>(const Scene&,
                                                                                        const RenderSettings&);
-extern template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<double>(const Scene&,
-                                                                                        const RenderSettings&);
+extern template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<double>(
+    const Scene&, const RenderSettings&);
 
 }  // namespace facet::reference
