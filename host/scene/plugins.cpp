@@ -16,7 +16,7 @@ std::vector<PluginInfo> make_plugins() {
       {"mesh", "obj", true},        {"camera", "perspective", true}, {"sampler", "independent", true},
       {"sampler", "sobol", false},  {"rfilter", "gaussian", true},   {"rfilter", "mitchell", true},
       {"rfilter", "tent", true},    {"rfilter", "box", true},        {"texture", "textmap", true},
-      {"texture", "checker", true}, {"test", "ttest", false},        {"test", "chi2test", false},
+      {"texture", "checker", true}, {"test", "ttest", true},         {"test", "chi2test", true},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
   FACET_BSDF_LIST(FACET_BSDF)
