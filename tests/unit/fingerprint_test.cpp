@@ -86,6 +86,7 @@ const std::map<std::string, Change>& changes_that_matter() {
       {"integrator", [](Scene& s) { s.integrator.type = find_integrator_type("path_mats").value(); }},
       {"depth", [](Scene& s) { s.integrator.max_depth = 3; }},
       {"heuristic", [](Scene& s) { s.integrator.heuristic = Heuristic::power; }},
+      {"sampler", [](Scene& s) { s.sampler = Sampler::sobol; }},
       {"emitter selection", [](Scene& s) { s.emitter_selection = EmitterSelection::uniform; }},
   };
   return changes;
