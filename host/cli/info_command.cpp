@@ -74,8 +74,8 @@ ExitCode print_info(const InfoOptions& options) {
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
                            bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
                            bytes_of(packed.texels);
-  fmt::print("{}: {} x {} pixels, {} samples, {}\n", options.scene, scene.camera.width, scene.camera.height,
-             scene.sample_count,
+  fmt::print("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width,
+             scene.camera.height, scene.sample_count, name_of(scene.sampler),
              scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
   fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
              packed.triangles.size());

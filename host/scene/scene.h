@@ -13,6 +13,7 @@
 #include "scene/bsdf/bsdf.h"
 #include "scene/filter.h"
 #include "scene/integrator.h"
+#include "scene/sampler.h"
 #include "scene/texture/texture.h"
 
 namespace facet {
@@ -86,6 +87,7 @@ struct Scene {
   Integrator integrator;
   int sample_count = 1;
   std::uint32_t seed = 0;
+  Sampler sampler = Sampler::independent;
   EmitterSelection emitter_selection = EmitterSelection::power;
 
   [[nodiscard]] std::size_t triangle_count() const;

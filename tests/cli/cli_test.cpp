@@ -44,7 +44,8 @@ TEST_F(CliTest, OptionValues) {
   expect_failure({"render", "scene.xml", "--aov", "albdo"}, 2, {"--aov", "variance"});
   expect_failure({"render", "scene.xml", "--integrator", "path_miss"}, 2,
                  {"path_miss", "did you mean \"path_mis\"?"});
-  expect_failure({"render", "scene.xml", "--sampler", "none"}, 2, {"--sampler", "independent"});
+  expect_failure({"render", "scene.xml", "--sampler", "sobl"}, 2,
+                 {"--sampler", "did you mean \"sobol\"?", "independent"});
   expect_failure({"render", "scene.xml", "--device", "no such device"}, 3,
                  {"no such device", "facet devices"});
   expect_failure({"render", "scene.xml", "--device", "99"}, 3, {"99", "facet devices"});
