@@ -15,6 +15,7 @@
 #include "cli/test_report.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "image/files.h"
 #include "scene/test_reader.h"
 
 namespace facet::cli {
