@@ -1,8 +1,6 @@
 #include "cli/test_backends.h"
 
-#if __has_include("reference/bsdf_evaluator.h")
 #include "reference/bsdf_evaluator.h"
-#endif
 #include "reference/renderer.h"
 #include "render/bsdf_evaluator.h"
 #include "render/renderer.h"
@@ -59,12 +57,7 @@ class ReferenceRunner : public TestRunner {
 
   statistics::TestBackend backend() override {
     return {[this](const Bsdf& bsdf) -> std::unique_ptr<statistics::BsdfEvaluator> {
-#if __has_include("reference/bsdf_evaluator.h")
               return std::make_unique<reference::ReferenceBsdfEvaluator<Real>>(bsdf, sampling_);
-#else
-              (void)bsdf;
-              throw InputError("no BSDF evaluation in the reference yet");
-#endif
             },
             [this](const Scene& scene, RenderSettings settings) {
               settings.sampling = sampling_;

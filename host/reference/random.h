@@ -42,7 +42,7 @@ struct Block {
 /// sampled.
 [[nodiscard]] inline Block emitter_block(const SampleId& id, std::uint32_t k, std::size_t e,
                                          std::size_t count) {
-  const std::size_t block = 0x80000000U + (k - 1) * count + e;
+  const std::size_t block = shared::BLOCK_EVERY_EMITTER + (k - 1) * count + e;
   return {shared::pcg4d({id.pixel, id.index, static_cast<std::uint32_t>(block), id.seed})};
 }
 

@@ -241,15 +241,12 @@ class Tracer {
       if (hit.triangle == none)
         return radiance + path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
       const Surface<Real> s = surface_of(hit);
-      const Vec3<Real> found =
-          path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
-      if (k > last) return radiance + found;
+      radiance += path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
+      if (k > last) return radiance;
       const std::optional<Interaction> at = interaction(s, d);
-      if (!at) return radiance + found;
-      if (!integrator_.type.every_emitter) radiance += found;
+      if (!at) return radiance;
       const bool delta = at->bsdf.delta();
       if (samples_emitters() && !delta) add_emitter_samples(*at, k, path.throughput, radiance);
-      if (integrator_.type.every_emitter) radiance += found;
       if (!follows(delta, k >= last)) return radiance;
       probe_.at_ray(2 * k);
       if (!scatter(*at, k, path)) return radiance;

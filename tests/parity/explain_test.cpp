@@ -120,7 +120,7 @@ TEST_F(Explain, tells_what_failing_samples_have_in_common) {
   // The kernels get another scene: the coat of one ball is rougher.
   Scene wrong = scene;
   for (Bsdf& b : wrong.bsdfs) {
-    if (auto* substrate = std::get_if<bsdf::RoughSubstrate>(&b)) substrate->alpha *= 1.1F;
+    if (auto* substrate = std::get_if<bsdf::RoughSubstrate>(&b)) substrate->alpha.value *= 1.1F;
   }
   Renderer renderer(device, pack_scene(wrong), find_features(wrong, settings), settings);
   const ParityReport report = check_parity(

@@ -1,6 +1,7 @@
 #pragma once
 // Reflectances.
 #include <algorithm>
+#include <complex>
 
 #include "reference/probe.h"
 #include "reference/real.h"
@@ -13,6 +14,18 @@ template <typename Real>
   const Real m = std::max(1 - cosine, Real(0));
   const Real m5 = m * m * m * m * m;
   return r0 * (1 - m5) + Vec3<Real>(m5);
+}
+
+/// Unpolarised reflectance of a conductor of index eta + i k at cosine c, from Snell's law and the amplitudes
+/// in complex numbers.
+template <typename Real>
+[[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
+  using Complex = std::complex<Real>;
+  const Complex n(eta, k);
+  const Complex t = std::sqrt(Real(1) - (1 - c) * (1 + c) / (n * n));
+  const Complex perpendicular = (c - n * t) / (c + n * t);
+  const Complex parallel = (n * c - t) / (n * c + t);
+  return (std::norm(perpendicular) + std::norm(parallel)) / 2;
 }
 
 /// Unpolarised reflectance for light that arrives at cosine c >= 0 from the side of index `from`, in the form

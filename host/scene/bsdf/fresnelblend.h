@@ -8,7 +8,7 @@ struct FresnelBlend {
   Textured<Color> rd{Color(0.5F)};
   Textured<Color> rs{Color(0.5F)};
   Textured<float> alpha{0.1F};
-  MicrofacetOptions options;
+  MicrofacetOptions options{};
 
   static FresnelBlend read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

@@ -9,7 +9,7 @@ struct Microfacet {
   float ext_ior = 1.000277F;
   float int_ior = 1.5046F;
   Color kd{0.5F};
-  MicrofacetOptions options;
+  MicrofacetOptions options{};
 
   static Microfacet read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

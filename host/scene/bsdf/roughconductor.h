@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "scene/bsdf/metals.h"
 #include "scene/bsdf/rough.h"
 
 namespace facet::bsdf {
@@ -7,8 +10,10 @@ namespace facet::bsdf {
 struct RoughConductor {
   Textured<Color> r0{Color(0.5F)};
   Textured<float> alpha{0.1F};
-  MicrofacetOptions options;
+  MicrofacetOptions options{};
   bool multiscatter = false;
+  /// Instead of r0: the exact Fresnel term, not Schlick's.
+  std::optional<ConductorIor> ior{};
 
   static RoughConductor read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

@@ -9,7 +9,7 @@ struct RoughDielectric {
   Textured<float> alpha{0.1F};
   float ext_ior = 1.000277F;
   float int_ior = 1.5046F;
-  MicrofacetOptions options;
+  MicrofacetOptions options{};
 
   static RoughDielectric read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

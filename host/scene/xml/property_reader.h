@@ -50,6 +50,8 @@ class PropertyReader {
   Color reflectance(const std::string& name, const Color& fallback);
   /// A colour that is nowhere negative, nor larger than largest_radiance.
   Color radiance(const std::string& name, const Color& fallback);
+  /// A colour, every channel within bounds; `least` where the object has none.
+  Color color_between(const std::string& name, float least, float most);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
   /// The same from a texture where the object has one of that name, or of the other name, by which the lab
@@ -57,7 +59,7 @@ class PropertyReader {
   Textured<Color> textured_reflectance(const std::string& name, const Color& fallback,
                                        const std::string& also_called = "");
   Textured<float> textured_roughness(const std::string& name, float fallback);
-  /// The texture of that name, or none.
+  /// The texture of that name, or none; an error where there is a property of that name, too.
   std::uint32_t texture(const std::string& name, float most);
   /// A positive index of refraction.
   float index_of_refraction(const std::string& name, float fallback);

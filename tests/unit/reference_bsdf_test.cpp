@@ -1,0 +1,266 @@
+// Values of the reference's BSDFs: against their definitions, written out plainly, and against what physics
+// says of them.
+#include <gtest/gtest.h>
+
+#include "support/bsdfs.h"
+
+namespace facet::test {
+namespace {
+
+using namespace reference;
+using Direction = Vec3<double>;
+
+/// The integral of a function of direction over the upper hemisphere, by the midpoint rule in tan(theta).
+template <typename Function>
+double integrate_hemisphere(double scale, const Function& f) {
+  constexpr int steps = 2000;
+  constexpr int turns = 200;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    // t/(1-t) maps to all slopes, densest near `scale`.
+    const double t = (i + 0.5) / steps;
+    const double tangent = scale * t / (1 - t);
+    const double step = scale / ((1 - t) * (1 - t)) / steps;
+    const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+    const double sine = tangent * cosine;
+    for (int k = 0; k < turns; ++k) {
+      const double phi = 2 * std::numbers::pi * (k + 0.5) / turns;
+      const Direction w(sine * std::cos(phi), sine * std::sin(phi), cosine);
+      // dw = sin(theta) dtheta dphi, dtheta = cos^2 dtan.
+      sum += f(w) * sine * cosine * cosine * step * (2 * std::numbers::pi / turns);
+    }
+  }
+  return sum;
+}
+
+TEST(ReferenceBsdf, normals_and_visible_normals_have_mass_one) {
+  Unwatched probe;
+  for (const bsdf::MicrofacetOptions& options : {rational_beckmann, ggx}) {
+    for (const double alpha : {0.01, 0.1, 0.5, 1.0}) {
+      const Microfacets<double> microfacets(alpha, options, LobeSampling::visible);
+      const double projected = integrate_hemisphere(
+          alpha, [&](const Direction& h) { return microfacets.density(h, probe) * h.z; });
+      EXPECT_NEAR(projected, 1, 1e-5) << alpha;
+      for (const double theta : {0.0, 0.8, 1.4, 1.55}) {
+        const Direction wo = direction(theta, 0);
+        const double visible = integrate_hemisphere(alpha, [&](const Direction& h) {
+          return microfacets.exact_masking(wo) * microfacets.density(h, probe) *
+                 std::max(0.0, glm::dot(wo, h)) / wo.z;
+        });
+        EXPECT_NEAR(visible, 1, 1e-4) << alpha << ' ' << theta;
+      }
+    }
+  }
+}
+
+TEST(ReferenceBsdf, densities_know_no_length) {
+  Unwatched probe;
+  for (const bsdf::MicrofacetOptions& options : {rational_beckmann, ggx}) {
+    const Microfacets<float> microfacets(0.01F, options, LobeSampling::visible);
+    const Vec3<float> h(0.01F, -0.005F, 0.9F);
+    const float d = microfacets.density(h, probe);
+    EXPECT_GT(d, 1);
+    for (const float length : {1e-7F, 0.125F, 2.0F})
+      EXPECT_NEAR(microfacets.density(h * length, probe) / d, 1, 1e-5);
+  }
+}
+
+// B. Walter et al. 2007 say 0.35 %.
+TEST(ReferenceBsdf, rational_masking_is_near_the_exact_one) {
+  Unwatched probe;
+  double largest = 0;
+  for (const double alpha : {0.05, 0.3, 1.0}) {
+    const Microfacets<double> rational(alpha, rational_beckmann, LobeSampling::visible);
+    const Microfacets<double> exact(alpha, exact_beckmann, LobeSampling::visible);
+    for (double cosine = 1e-4; cosine < 1; cosine += 1e-3) {
+      const Direction w = direction(std::acos(cosine), 0.3);
+      const double g = exact.masking({0, 0, 1}, w, probe);
+      EXPECT_EQ(g, exact.exact_masking(w));
+      largest = std::max(largest, std::abs(rational.masking({0, 0, 1}, w, probe) / g - 1));
+    }
+  }
+  EXPECT_LE(largest, 0.0035);
+  EXPECT_GE(largest, 0.002) << "they are two functions";
+}
+
+TEST(ReferenceBsdf, dielectric_reflectance_is_fresnels) {
+  Unwatched probe;
+  for (const float index : {1.0001F, 1.33F, 2.4F, 0.5F, 0.99F}) {
+    const auto to = static_cast<double>(index);
+    for (const double c : {1.0, 0.9, 0.5, 0.1, 1e-3, 1e-7}) {
+      const long double ratio = 1 / static_cast<long double>(to);
+      const long double sin2 = ratio * ratio * (1 - static_cast<long double>(c) * c);
+      long double expected = 1;
+      if (sin2 < 1) {
+        const long double ct = std::sqrt(1 - sin2);
+        const long double s = (c - to * ct) / (c + to * ct);
+        const long double p = (to * c - ct) / (to * c + ct);
+        expected = (s * s + p * p) / 2;
+      }
+      EXPECT_NEAR(dielectric_reflectance(c, 1.0, to, 0, probe), static_cast<double>(expected), 1e-12);
+      EXPECT_NEAR(static_cast<double>(dielectric_reflectance(static_cast<float>(c), 1.0F, index, 0, probe)),
+                  static_cast<double>(expected), 2e-4 * static_cast<double>(expected) + 1e-9)
+          << to << ' ' << c;
+    }
+  }
+  EXPECT_EQ(dielectric_reflectance(0.3, 1.5, 1.5, 0, probe), 0);
+}
+
+/// The models written out plainly from their definitions: a misreading that kernels and reference shared
+/// would show here. Parameters are those of rough_bsdfs.
+class Definition {
+ public:
+  Definition(double alpha, const bsdf::MicrofacetOptions& options) : alpha_(alpha), options_(options) {}
+
+  /// f(wo, wi) in channel k, by name.
+  [[nodiscard]] double value(const std::string& name, const Direction& wo, const Direction& wi, int k) const {
+    const double warm = std::array{0.9, 0.5, 0.1}.at(static_cast<std::size_t>(k));
+    const double cold = std::array{0.2, 0.5, 0.7}.at(static_cast<std::size_t>(k));
+    if (name == "roughdielectric") return warm * interface(wo, wi);
+    const Direction h = glm::normalize(wo + wi);
+    const double c = glm::dot(h, wi);
+    const double gloss = distribution(h) * g1(wi) * g1(wo) / (4 * wi.z * wo.z);
+    const auto under = [](double cosine) { return 1 - std::pow(1 - cosine / 2, 5); };
+    const double base = 28 / (23 * std::numbers::pi) * under(wi.z) * under(wo.z);
+    const auto schlick = [c](double r) { return r + (1 - r) * std::pow(1 - c, 5); };
+    if (name == "roughconductor") return gloss * schlick(warm);
+    if (name == "roughsubstrate") return cold * base * (1 - 0.04) + gloss * fresnel(c, 1, 1.5);
+    if (name == "microfacet") return cold / std::numbers::pi + (1 - 0.7) * gloss * fresnel(c, 1, 1.5);
+    return cold * (1 - warm / 2) * base +
+           distribution(h) * schlick(warm / 2) / (4 * std::abs(c) * std::max(wi.z, wo.z));
+  }
+
+ private:
+  [[nodiscard]] double distribution(const Direction& h) const {
+    if (h.z <= 0) return 0;
+    const double tan2 = 1 / (h.z * h.z) - 1;
+    const double a2 = alpha_ * alpha_;
+    if (options_.distribution == bsdf::Distribution::ggx)
+      return a2 / (std::numbers::pi * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
+    if (tan2 / a2 >= 87) return 0;  // docs/sampling.md
+    return std::exp(-tan2 / a2) / (std::numbers::pi * a2 * std::pow(h.z, 4));
+  }
+
+  [[nodiscard]] double g1(const Direction& w) const {
+    const double tangent = std::tan(std::acos(std::abs(w.z)));
+    if (options_.distribution == bsdf::Distribution::ggx)
+      return 2 / (1 + std::sqrt(1 + alpha_ * alpha_ * tangent * tangent));
+    const double b = 1 / (alpha_ * tangent);
+    if (options_.masking == bsdf::Masking::exact)
+      return 1 / (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(std::numbers::pi)));
+    return b >= 1.6 ? 1 : (3.535 * b + 2.181 * b * b) / (1 + 2.276 * b + 2.577 * b * b);
+  }
+
+  [[nodiscard]] static double fresnel(double c, double from, double to) {
+    const double sine = from / to * std::sqrt(1 - c * c);
+    if (sine >= 1) return 1;
+    const double t = std::sqrt(1 - sine * sine);
+    const double rs = (from * c - to * t) / (from * c + to * t);
+    const double rp = (to * c - from * t) / (to * c + from * t);
+    return (rs * rs + rp * rp) / 2;
+  }
+
+  /// Walter et al. 2007, eq. 20 and 21, with the normal up on the outer side.
+  [[nodiscard]] double interface(const Direction& wo, const Direction& wi) const {
+    const double eta_o = wo.z > 0 ? 1 : 1.5;
+    const double eta_i = wi.z > 0 ? 1 : 1.5;
+    const bool reflected = wo.z * wi.z > 0;
+    Direction h = reflected ? glm::normalize(wo + wi) : glm::normalize(eta_o * wo + eta_i * wi);
+    if (h.z < 0) h = -h;
+    const double o = glm::dot(wo, h);
+    const double i = glm::dot(wi, h);
+    if (o / wo.z <= 0 || i / wi.z <= 0) return 0;
+    const double f = fresnel(std::abs(o), eta_o, wo.z > 0 ? 1.5 : 1);
+    const double dg = distribution(h) * g1(wi) * g1(wo);
+    if (reflected) return f * dg / (4 * std::abs(wi.z * wo.z));
+    return std::abs(i * o) / std::abs(wi.z * wo.z) * eta_o * eta_o * (1 - f) * dg /
+           std::pow(eta_i * i + eta_o * o, 2);
+  }
+
+  double alpha_;
+  bsdf::MicrofacetOptions options_;
+};
+
+/// Calls check(wo, wi) for pairs on all sides; above: only for pairs above.
+template <typename Check>
+void for_each_pair(bool above, const Check& check) {
+  const std::vector<double> angles{0.1, 0.7, 1.2, 1.5, 1.65, 2.0, 2.6, 3.0};
+  const std::size_t count = above ? 4 : 8;
+  for (std::size_t o = 0; o < count; ++o) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double phi : {0.0, 1.0, 2.5, 3.1})
+        check(direction(angles[o], 0), direction(angles[i] + 0.05, phi));
+    }
+  }
+}
+
+TEST(ReferenceBsdf, values_are_their_definitions) {
+  Unwatched probe;
+  for (const bsdf::MicrofacetOptions& options : {rational_beckmann, exact_beckmann, ggx}) {
+    const float alpha = 0.4F;
+    const Definition definition(static_cast<double>(alpha), options);
+    for (const NamedBsdf& b : rough_bsdfs(alpha, options)) {
+      int positive = 0;
+      for_each_pair(b.name != "roughdielectric", [&](const Direction& wo, const Direction& wi) {
+        const auto model = make_bsdf<double>(b.bsdf, LobeSampling::visible, wo.z < 0);
+        for (int k = 0; k < 3; ++k) {
+          const double expected = definition.value(b.name, wo, wi, k);
+          EXPECT_NEAR(model.eval(wo, wi, probe)[k], expected, 1e-6 * expected) << b.name;
+          positive += expected > 0 ? 1 : 0;
+        }
+      });
+      EXPECT_GE(positive, 150) << b.name;
+    }
+  }
+}
+
+TEST(ReferenceBsdf, light_may_run_backwards) {
+  Unwatched probe;
+  for (const bsdf::MicrofacetOptions& options : {rational_beckmann, exact_beckmann, ggx}) {
+    for (const NamedBsdf& b : rough_bsdfs(0.3F, options, 1, 1.7F)) {
+      for_each_pair(b.name != "roughdielectric", [&](const Direction& wo, const Direction& wi) {
+        const auto there = make_bsdf<double>(b.bsdf, LobeSampling::visible, wo.z < 0);
+        const auto back = make_bsdf<double>(b.bsdf, LobeSampling::visible, wi.z < 0);
+        // f(wo, wi)/eta_o^2 is symmetric.
+        const double scale = (wi.z > 0 ? 1 : 1.7) / (wo.z > 0 ? 1 : 1.7);
+        const double f = there.eval(wo, wi, probe).x * scale * scale;
+        EXPECT_NEAR(back.eval(wi, wo, probe).x, f, 1e-6 * f) << b.name;
+      });
+    }
+  }
+}
+
+TEST(ReferenceBsdf, opaque_surfaces_are_black_from_below) {
+  Unwatched probe;
+  for (const NamedBsdf& b : rough_bsdfs(0.5F, ggx)) {
+    const auto model = make_bsdf<double>(b.bsdf, LobeSampling::visible);
+    EXPECT_EQ(model.transmits(), b.name == "roughdielectric");
+    if (model.transmits()) continue;
+    EXPECT_EQ(model.eval(direction(0.5, 0), direction(1.6, 1), probe), Direction(0)) << b.name;
+    EXPECT_EQ(model.pdf(direction(0.5, 0), direction(1.6, 1), probe), 0) << b.name;
+  }
+}
+
+// What a conductor without loss reflects is all of the light, with the light that bounces between
+// microfacets.
+TEST(ReferenceBsdf, multiscatter_gives_back_what_is_lost) {
+  Unwatched probe;
+  for (const bsdf::MicrofacetOptions& options : {rational_beckmann, exact_beckmann, ggx}) {
+    for (const float alpha : {0.5F, 1.0F}) {
+      for (const double theta : {0.1, 1.2}) {
+        const Direction wo = direction(theta, 0);
+        const auto albedo = [&](bool multiscatter) {
+          const Bsdf metal = bsdf::RoughConductor{Color(1), alpha, options, multiscatter};
+          const auto model = make_bsdf<double>(metal, LobeSampling::visible);
+          return integrate_hemisphere(
+              1, [&](const Direction& wi) { return model.eval(wo, wi, probe).x * wi.z; });
+        };
+        EXPECT_NEAR(albedo(true), 1, 0.015) << alpha << ' ' << theta;
+        EXPECT_LT(albedo(false), 0.99) << alpha << ' ' << theta;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace facet::test
