@@ -1,6 +1,7 @@
 // Build tool: decorates every float operation of the compiled kernels with NoContraction and embeds the
 // result in a C++ file.
 //     embed_kernels OUT.cpp NAME=IN.spv=OUT.spv...
+// A kernel's names are KERNEL_texel and KERNEL_storage, or KERNEL_any where it sees no geometry.
 // Without the decoration drivers reassociate and fuse float operations, each in its own way, and images
 // differ between them. GLSL's `precise` does not reach into called functions, so it is done here, on the
 // finished SPIR-V.
@@ -82,18 +83,26 @@ void write_array(std::ofstream& out, const std::string& name, const Words& words
   out << "};\n";
 }
 
+/// What stands in kernel_code for one kernel; empty for the second of two.
+std::string lookup(const std::string& name) {
+  const std::string kernel = name.substr(0, name.rfind('_'));
+  const std::string before = "    case Kernel::" + kernel + ":\n      return ";
+  if (name.ends_with("_any")) return before + name + ";\n";
+  if (!name.ends_with("_texel")) return "";
+  return before + "storage ? std::span<const std::uint32_t>(" + kernel + "_storage) : " + name + ";\n";
+}
+
 void write_lookup(std::ofstream& out, const std::vector<std::string>& names) {
   out << "}  // namespace\n\n"
          "std::span<const std::uint32_t> kernel_code(Kernel kernel, GeometryFetch fetch) {\n"
          "  const bool storage = fetch == GeometryFetch::storage_buffer;\n"
          "  switch (kernel) {\n";
-  for (const std::string& name : names) {
-    out << "    case Kernel::" << name << ":\n      return storage ? std::span<const std::uint32_t>(" << name
-        << "_storage) : " << name << "_texel;\n";
-  }
+  for (const std::string& name : names) out << lookup(name);
   out << "  }\n  return {};\n}\n\nconst char* kernel_name(Kernel kernel) {\n  switch (kernel) {\n";
-  for (const std::string& name : names)
-    out << "    case Kernel::" << name << ": return \"" << name << "\";\n";
+  for (const std::string& name : names) {
+    const std::string kernel = name.substr(0, name.rfind('_'));
+    if (!lookup(name).empty()) out << "    case Kernel::" << kernel << ": return \"" << kernel << "\";\n";
+  }
   out << "  }\n  return \"\";\n}\n\n}  // namespace facet\n";
 }
 
@@ -112,8 +121,7 @@ void run(int argc, char** argv) {
     const Words words = decorate(read_words(argument.substr(first + 1, second - first - 1)));
     write_words(argument.substr(second + 1), words);
     write_array(out, name, words);
-    const std::string kernel = name.substr(0, name.rfind('_'));
-    if (name.ends_with("_texel")) names.push_back(kernel);
+    names.push_back(name);
   }
   write_lookup(out, names);
   if (!out) throw std::runtime_error(std::string("cannot write ") + argv[1]);

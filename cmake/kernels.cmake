@@ -1,4 +1,4 @@
-# Compiles shaders/kernels/*.comp to SPIR-V, twice (geometry from texel and from storage buffers), decorates and checks them, and
+# Compiles shaders/kernels/*.comp to SPIR-V, twice where they fetch geometry (from texel and from storage buffers), decorates and checks them, and
 # makes the source file that embeds them. Depfiles make every #include count.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
@@ -7,32 +7,35 @@ add_executable(embed_kernels ${CMAKE_CURRENT_LIST_DIR}/embed_kernels.cpp)
 target_link_libraries(embed_kernels PRIVATE facet_warnings)
 
 set(FACET_KERNELS generate extend shade shadow schedule film)
+# They see no geometry.
+set(FACET_EVALUATION_KERNELS evaluate sample)
 set(FACET_KERNEL_DIR ${CMAKE_BINARY_DIR}/kernels)
 file(MAKE_DIRECTORY ${FACET_KERNEL_DIR})
 
 set(kernel_arguments)
 set(kernel_inputs)
 set(kernel_outputs)
+macro(facet_kernel kernel fetch)
+  set(name ${kernel}_${fetch})
+  set(source ${CMAKE_SOURCE_DIR}/shaders/kernels/${kernel}.comp)
+  set(raw ${FACET_KERNEL_DIR}/${name}.raw.spv)
+  add_custom_command(
+    OUTPUT ${raw}
+    COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${ARGN} --depfile ${raw}.d -o ${raw} ${source}
+    DEPENDS ${source}
+    DEPFILE ${raw}.d
+    COMMENT "Compiling kernel ${name}"
+    VERBATIM)
+  list(APPEND kernel_inputs ${raw})
+  list(APPEND kernel_outputs ${FACET_KERNEL_DIR}/${name}.spv)
+  list(APPEND kernel_arguments ${name}=${raw}=${FACET_KERNEL_DIR}/${name}.spv)
+endmacro()
 foreach(kernel IN LISTS FACET_KERNELS)
-  foreach(fetch texel storage)
-    set(name ${kernel}_${fetch})
-    set(source ${CMAKE_SOURCE_DIR}/shaders/kernels/${kernel}.comp)
-    set(raw ${FACET_KERNEL_DIR}/${name}.raw.spv)
-    set(define)
-    if(fetch STREQUAL storage)
-      set(define -DFACET_GEOMETRY_IN_STORAGE_BUFFERS)
-    endif()
-    add_custom_command(
-      OUTPUT ${raw}
-      COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${define} --depfile ${raw}.d -o ${raw} ${source}
-      DEPENDS ${source}
-      DEPFILE ${raw}.d
-      COMMENT "Compiling kernel ${name}"
-      VERBATIM)
-    list(APPEND kernel_inputs ${raw})
-    list(APPEND kernel_outputs ${FACET_KERNEL_DIR}/${name}.spv)
-    list(APPEND kernel_arguments ${name}=${raw}=${FACET_KERNEL_DIR}/${name}.spv)
-  endforeach()
+  facet_kernel(${kernel} texel)
+  facet_kernel(${kernel} storage -DFACET_GEOMETRY_IN_STORAGE_BUFFERS)
+endforeach()
+foreach(kernel IN LISTS FACET_EVALUATION_KERNELS)
+  facet_kernel(${kernel} any)
 endforeach()
 
 set(validate_commands)

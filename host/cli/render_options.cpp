@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/backend_options.h"
 #include "cli/outputs.h"
 #include "core/text.h"
 #include "scene/reader.h"
@@ -62,13 +63,9 @@ Crop parse_crop(const RenderOptions& options, const Camera& camera) {
 
 /// Options that go with one backend only.
 void check_backend(const RenderOptions& o) {
-  const bool reference = o.backend == "reference";
-  if (!reference && !o.precision.empty())
-    throw InputError("--precision belongs to --backend reference: kernels compute in float");
-  if (!reference && o.sampling == "uniform")
+  check_backend_options(o.backend, o.precision, o.device, o.validate);
+  if (o.backend != "reference" && o.sampling == "uniform")
     throw InputError("--sampling uniform belongs to --backend reference");
-  if (reference && (!o.device.empty() || o.validate))
-    throw InputError("--device and --validate belong to --backend vulkan: the reference uses the CPU alone");
 }
 
 void set_masking(Scene& scene, bsdf::Masking masking) {
@@ -108,7 +105,6 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
       ->check(CLI::IsMember({"uniform", "power"}));
   command.add_option("--masking", o.masking, "Masking function of Beckmann's distribution")
       ->check(CLI::IsMember({"rational", "exact"}));
-  command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
   command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
   command.add_flag("--strict", o.strict, "Warnings are errors");
@@ -124,13 +120,7 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       .add_option("-o,--output", o.outputs,
                   "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
       ->allow_extra_args(false);
-  command
-      .add_option("--backend", o.backend,
-                  "What renders: the kernels on a Vulkan device, or the reference on the CPU")
-      ->check(CLI::IsMember({"vulkan", "reference"}))
-      ->capture_default_str();
-  command.add_option("--precision", o.precision, "Precision of the reference (default: float)")
-      ->check(CLI::IsMember({"float", "double"}));
+  add_backend_options(command, o.backend, o.precision, o.device, o.validate);
   command
       .add_option("--sampling", o.sampling,
                   "Half vectors of rough lobes: from the ndf, or visible from the viewer; uniform: the "
@@ -140,8 +130,6 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       ->capture_default_str();
   add_aov_option(command, o.aovs);
   add_exposure_option(command, o.exposure);
-  command.add_flag("--validate", o.validate,
-                   "Turn the Vulkan validation layers on; any message of theirs fails the render");
 }
 
 void apply_to_scene(const RenderOptions& o, Scene& scene) {

@@ -5,8 +5,10 @@
 
 namespace facet {
 
-enum class Kernel { generate, extend, shade, shadow, schedule, film };
-inline constexpr int kernel_count = 6;
+enum class Kernel { generate, extend, shade, shadow, schedule, film, evaluate, sample };
+inline constexpr int kernel_count = 8;
+/// The first ones: those that render. The others evaluate one BSDF alone.
+inline constexpr int render_kernel_count = 6;
 
 /// How geometry is fetched: the kernels' one build variant.
 enum class GeometryFetch { texel_buffer, storage_buffer };

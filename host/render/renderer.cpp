@@ -72,7 +72,7 @@ void Renderer::warm_up() {
     resources_->bind(c, 0);
     c.fillBuffer(resources_->counters(), 0, VK_WHOLE_SIZE, 0);
     gpu::barrier(c);
-    for (int k = 0; k < kernel_count; ++k) {
+    for (int k = 0; k < render_kernel_count; ++k) {
       resources_->dispatch(c, static_cast<Kernel>(k), none_at_all, 1);
       gpu::barrier(c);
     }

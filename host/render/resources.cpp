@@ -142,7 +142,7 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
   make_film();
   bind_everything();
   const auto constants = features.constants(packed.bvh.stack_size);
-  for (int k = 0; k < kernel_count; ++k) {
+  for (int k = 0; k < render_kernel_count; ++k) {
     const auto kernel = static_cast<Kernel>(k);
     pipelines_.push_back(gpu::make_compute_pipeline(device, layout_, kernel_code(kernel, fetch_), constants,
                                                     kernel_name(kernel)));

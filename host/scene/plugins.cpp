@@ -16,8 +16,8 @@ std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
       {"mesh", "obj", true},         {"camera", "perspective", true}, {"rfilter", "gaussian", true},
       {"rfilter", "mitchell", true}, {"rfilter", "tent", true},       {"rfilter", "box", true},
-      {"texture", "textmap", true},  {"texture", "checker", true},    {"test", "ttest", false},
-      {"test", "chi2test", false},
+      {"texture", "textmap", true},  {"texture", "checker", true},    {"test", "ttest", true},
+      {"test", "chi2test", true},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
   FACET_BSDF_LIST(FACET_BSDF)

@@ -198,6 +198,21 @@ struct PassConstants {
   uint emitter;  // that shade.comp samples, where every emitter is sampled
 };
 
+/// What is asked of one BSDF (evaluate.comp, sample.comp).
+struct EvaluationRecord {
+  vec4 wo;            // of all samples, shading frame
+  uint count;         // queries or samples
+  uint first_sample;  // their numbers are those of pixel 0 and of the samples from here on,
+  uint seed;
+  uint given;  // unless this is 1: then the queries hold them
+};
+
+/// A pair of directions in the shading frame, or numbers of a sample.
+struct QueryRecord {
+  vec4 first;   // wo; or lobe, u, v
+  vec4 second;  // wi
+};
+
 /// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.
 FACET_CONSTANT uint COUNTER_ACTIVE = 0u;        // two words: paths in each queue
 FACET_CONSTANT uint COUNTER_SHADOW = 2u;        // shadow rays waiting
@@ -219,6 +234,7 @@ static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32 && sizeof(ShadowRayRecord) == 48);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
+static_assert(sizeof(EvaluationRecord) == 32 && sizeof(QueryRecord) == 32);
 static_assert(offsetof(FrameRecord, width) == 64 && offsetof(FrameRecord, emitter_count) == 96);
 static_assert(offsetof(EmitterRecord, type) == 32 && offsetof(EmitterRecord, probability) == 48);
 }  // namespace facet::shared

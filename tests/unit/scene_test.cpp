@@ -26,11 +26,6 @@ class SceneTest : public ::testing::Test {
     const std::string file = "<string name=\"filename\" value=\"triangle.obj\"/>";
     return read_body("<mesh type=\"obj\">" + file + children + "</mesh>");
   }
-  template <typename Type>
-  Type read_bsdf(const std::string& bsdf) {
-    const Scene scene = read_mesh(bsdf);
-    return std::get<Type>(scene.bsdfs.at(0));
-  }
   EnvironmentEmitter read_environment(const std::string& properties) {
     const Scene scene = read_body("<emitter type=\"environment\">" + properties + "</emitter>");
     return std::get<EnvironmentEmitter>(scene.emitters.at(0));
@@ -130,7 +125,7 @@ TEST_F(SceneTest, MeshDefaults) {
   EXPECT_EQ(mesh.emitter, none);
   EXPECT_EQ(mesh.where.line, 3);
   EXPECT_EQ(scene.triangle_count(), 1U);
-  EXPECT_EQ(std::get<bsdf::Diffuse>(scene.bsdfs.at(mesh.bsdf)).albedo, Color(0.5F));
+  EXPECT_EQ(std::get<bsdf::Diffuse>(scene.bsdfs.at(mesh.bsdf)).albedo.value, Color(0.5F));
   EXPECT_TRUE(scene.emitters.empty());
 }
 
@@ -163,45 +158,41 @@ TEST_F(SceneTest, MeshFilesMayLieInFolders) {
   EXPECT_EQ(read_body(body).triangle_count(), 1U);
 }
 
-TEST_F(SceneTest, Diffuse) {
-  EXPECT_EQ(read_bsdf<bsdf::Diffuse>("<bsdf type=\"diffuse\"/>").albedo, Color(0.5F));
-  const char* text = "<bsdf type=\"diffuse\"><color name=\"albedo\" value=\"0.1, 0.2 0.3\"/></bsdf>";
-  EXPECT_EQ(read_bsdf<bsdf::Diffuse>(text).albedo, Color(0.1F, 0.2F, 0.3F));
-}
-
-TEST_F(SceneTest, RoughConductor) {
-  const auto plain = read_bsdf<bsdf::RoughConductor>("<bsdf type=\"roughconductor\"/>");
-  EXPECT_EQ(plain.r0, Color(0.5F));
-  EXPECT_EQ(plain.alpha, 0.1F);
-  const auto gold = read_bsdf<bsdf::RoughConductor>(
-      "<bsdf type=\"roughconductor\"><color name=\"R0\" value=\"1 0.86 0.57\"/><float name=\"alpha\" "
-      "value=\"1\"/></bsdf>");
-  EXPECT_EQ(gold.r0, Color(1, 0.86F, 0.57F));
-  EXPECT_EQ(gold.alpha, 1);
-}
-
-TEST_F(SceneTest, RoughSubstrate) {
-  const auto plain = read_bsdf<bsdf::RoughSubstrate>("<bsdf type=\"roughsubstrate\"/>");
-  EXPECT_EQ(plain.kd, Color(0.5F));
-  EXPECT_EQ(plain.alpha, 0.1F);
-  EXPECT_EQ(plain.int_ior, 1.5046F);
-  EXPECT_EQ(plain.ext_ior, 1.000277F);
-  const auto coat = read_bsdf<bsdf::RoughSubstrate>(
-      "<bsdf type=\"roughsubstrate\"><color name=\"kd\" value=\"0.2\"/><float name=\"alpha\" "
-      "value=\"0.0001\"/>"
-      "<float name=\"intIOR\" value=\"1.7\"/><float name=\"extIOR\" value=\"1.3\"/></bsdf>");
-  EXPECT_EQ(coat.kd, Color(0.2F));
-  EXPECT_EQ(coat.alpha, 1e-4F);
-  EXPECT_EQ(coat.int_ior, 1.7F);
-  EXPECT_EQ(coat.ext_ior, 1.3F);
-}
-
 TEST_F(SceneTest, AreaEmitter) {
   EXPECT_EQ(std::get<AreaEmitter>(read_mesh("<emitter type=\"area\"/>").emitters.at(0)).radiance, Color(1));
   const Scene scene = read_mesh(
       "<emitter type=\"area\"><color name=\"radiance\" value=\"1 2 3\"/><float name=\"scale\" "
       "value=\"10\"/></emitter>");
   EXPECT_EQ(std::get<AreaEmitter>(scene.emitters.at(0)).radiance, Color(10, 20, 30));
+}
+
+TEST_F(SceneTest, PointLight) {
+  const auto plain = std::get<PointLight>(read_body("<emitter type=\"pointlight\"/>").emitters.at(0));
+  EXPECT_EQ(plain.position, vec3(0, 100, 0));
+  EXPECT_EQ(plain.intensity, Color(1));
+  const Scene scene = read_body(
+      "<emitter type=\"pointlight\"><point name=\"position\" value=\"1, 2, 3\"/><color name=\"radiance\" "
+      "value=\"4 5 "
+      "6\"/></emitter><emitter type=\"pointlight\"/>");
+  ASSERT_EQ(scene.emitters.size(), 2U);
+  const auto& light = std::get<PointLight>(scene.emitters[0]);
+  EXPECT_EQ(light.position, vec3(1, 2, 3));
+  EXPECT_EQ(light.intensity, Color(4, 5, 6));
+}
+
+TEST_F(SceneTest, SimpleHasALightOfItsOwn) {
+  const Integrator plain = read_body("<integrator type=\"simple\"/>").integrator;
+  EXPECT_EQ(plain.position, vec3(0));
+  EXPECT_EQ(plain.energy, Color(1));
+  const Integrator simple =
+      read_body(
+          "<integrator type=\"simple\"><point name=\"position\" value=\"1 2 3\"/><color "
+          "name=\"energy\" value=\"4e3 5 6\"/></integrator>")
+          .integrator;
+  EXPECT_EQ(simple.position, vec3(1, 2, 3));
+  EXPECT_EQ(simple.energy, Color(4000, 5, 6));
+  EXPECT_TRUE(read_body("<integrator type=\"whitted\"/>").integrator.type.every_emitter);
+  EXPECT_FALSE(read_body("<integrator type=\"path_mis\"/>").integrator.type.every_emitter);
 }
 
 TEST_F(SceneTest, ConstantEnvironment) {

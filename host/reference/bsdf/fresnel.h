@@ -1,6 +1,7 @@
 #pragma once
 // Reflectances.
 #include <algorithm>
+#include <complex>
 
 #include "reference/probe.h"
 #include "reference/real.h"
@@ -30,6 +31,20 @@ template <typename Real, typename Probe>
   const Real perpendicular = difference / sum;
   const Real ratio = (c * sum - 1) / (c * difference + 1);
   return std::min(perpendicular * perpendicular * (1 + ratio * ratio) / 2, Real(1));
+}
+
+/// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's amplitudes:
+/// with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c q + s^2), s^2 = 1 -
+/// c^2.
+template <typename Real>
+[[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
+  using Complex = std::complex<Real>;
+  const Real s2 = std::max((1 - c) * (1 + c), Real(0));
+  const Complex excess((eta - 1) * (eta + 1) - k * k, 2 * eta * k);  // n^2 - 1
+  const Complex q = std::sqrt(excess + c * c);
+  const Real perpendicular = std::norm(excess) / (std::norm(c + q) * std::norm(c + q));
+  const Real ratio = std::norm(c * q - s2) / std::norm(c * q + s2);
+  return std::min(perpendicular * (1 + ratio) / 2, Real(1));
 }
 
 }  // namespace facet::reference

@@ -7,7 +7,7 @@
 
 namespace facet::reference {
 
-/// Torrance and Sparrow's lobe with Schlick's Fresnel term.
+/// Torrance and Sparrow's lobe with Schlick's Fresnel term, or that of a conductor.
 template <typename Real>
 class RoughConductor {
  public:
@@ -19,7 +19,8 @@ class RoughConductor {
         alpha_(at.roughness(p.alpha)),
         microfacets_(alpha_, p.options, sampling),
         options_(p.options),
-        multiscatter_(p.multiscatter) {}
+        multiscatter_(p.multiscatter),
+        ior_(p.ior) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -53,7 +54,13 @@ class RoughConductor {
     return microfacets_.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
   }
 
-  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const { return schlick(r0_, cosine); }
+  [[nodiscard]] Vec3<Real> reflectance(Real cosine) const {
+    if (!ior_) return schlick(r0_, cosine);
+    Vec3<Real> f;
+    for (int i = 0; i < 3; ++i)
+      f[i] = conductor_reflectance(Real(ior_->eta[i]), Real(ior_->k[i]), std::min(cosine, Real(1)));
+    return f;
+  }
 
   /// What multiple scattering gives back.
   [[nodiscard]] Vec3<Real> gain(const Vec3<Real>& wo) const {
@@ -67,6 +74,7 @@ class RoughConductor {
   Microfacets<Real> microfacets_;
   bsdf::MicrofacetOptions options_;
   bool multiscatter_;
+  std::optional<facet::ConductorIor> ior_;
 };
 
 }  // namespace facet::reference

@@ -13,7 +13,7 @@ struct RoughConductor {
   MicrofacetOptions options{};
   bool multiscatter = false;
   /// Instead of r0: the exact Fresnel term, not Schlick's.
-  std::optional<ConductorIor> ior;
+  std::optional<ConductorIor> ior{};
 
   static RoughConductor read(PropertyReader& properties);
   [[nodiscard]] shared::BsdfRecord pack() const;

@@ -1,5 +1,7 @@
 #include "scene/texture/reader.h"
 
+#include <cmath>
+
 #include "core/text.h"
 #include "image/files.h"
 #include "scene/plugins.h"
@@ -18,13 +20,20 @@ CheckerTexture read_checker(PropertyReader& p) {
   return t;
 }
 
+float read_scale(PropertyReader& p, const std::string& name) {
+  const double scale = p.number(name, 1);
+  if (!(std::abs(scale) <= 1 << 20))
+    p.fail(name, fmt::format("is {:g}, but must be -1048576 to 1048576", scale));
+  return static_cast<float>(scale);
+}
+
 BitmapTexture read_bitmap(PropertyReader& p) {
   BitmapTexture t;
   const std::string filename = p.string("filename", "");
   if (filename.empty()) p.fail("filename", "is missing");
   t.factor = p.radiance("color", Color(1));
-  t.scale_x = static_cast<float>(p.number("scalex", 1));
-  t.scale_y = static_cast<float>(p.number("scaley", 1));
+  t.scale_x = read_scale(p, "scalex");
+  t.scale_y = read_scale(p, "scaley");
   t.srgb = p.boolean("srgb", false);
   const std::filesystem::path path = p.xml().path().parent_path() / filename;
   try {

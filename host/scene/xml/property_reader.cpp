@@ -86,6 +86,7 @@ std::uint32_t PropertyReader::texture(const std::string& name, float most) {
     if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
     if (index != none)
       throw InputError(xml_.location(child), fmt::format("{}: texture \"{}\" is given twice", title(), name));
+    if (has(name)) check_textures(name);
     index = read_texture_(child, most);
   }
   return index;
@@ -95,17 +96,18 @@ Textured<Color> PropertyReader::textured_reflectance(const std::string& name, co
                                                      const std::string& also_called) {
   Textured<Color> parameter(fallback);
   parameter.texture = texture(name, 1);
-  if (!parameter.is_textured() && !also_called.empty()) parameter.texture = texture(also_called, 1);
-  if (!parameter.is_textured() || has(name)) parameter.value = reflectance(name, fallback);
-  known_names_.insert({name, also_called});
+  const std::uint32_t other = also_called.empty() ? none : texture(also_called, 1);
+  if (other != none && (parameter.is_textured() || has(name)))
+    fail(name, fmt::format("is given, and \"{}\", which is another name for it", also_called));
+  if (other != none) parameter.texture = other;
+  if (!parameter.is_textured()) parameter.value = reflectance(name, fallback);
   return parameter;
 }
 
 Textured<float> PropertyReader::textured_roughness(const std::string& name, float fallback) {
   Textured<float> parameter(fallback);
   parameter.texture = texture(name, 1);
-  if (!parameter.is_textured() || has(name)) parameter.value = roughness(name, fallback);
-  known_names_.insert(name);
+  if (!parameter.is_textured()) parameter.value = roughness(name, fallback);
   return parameter;
 }
 
@@ -262,13 +264,16 @@ void PropertyReader::finish(Diagnostics& diagnostics) {
     if (known_tags_.contains(child.name())) continue;
     throw InputError(xml_.location(child), fmt::format("{} cannot hold a <{}>", title(), child.name()));
   }
-  const std::vector<std::string> names(known_names_.begin(), known_names_.end());
+  const std::vector<std::string> textures(texture_names_.begin(), texture_names_.end());
   for (const pugi::xml_node& child : children_) {
     const std::string name = child.attribute("name").value();
-    if (std::string_view(child.name()) != "texture" || known_names_.contains(name)) continue;
+    if (std::string_view(child.name()) != "texture" || texture_names_.contains(name)) continue;
     throw InputError(xml_.location(child), fmt::format("{} has no parameter \"{}\" for a texture{}", title(),
-                                                       name, did_you_mean(name, names)));
+                                                       name, did_you_mean(name, textures)));
   }
+  std::set<std::string> known = known_names_;
+  known.insert(texture_names_.begin(), texture_names_.end());
+  const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& [name, node] : properties_) {
     if (known_names_.contains(name)) continue;
     diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(),

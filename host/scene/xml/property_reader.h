@@ -59,7 +59,7 @@ class PropertyReader {
   Textured<Color> textured_reflectance(const std::string& name, const Color& fallback,
                                        const std::string& also_called = "");
   Textured<float> textured_roughness(const std::string& name, float fallback);
-  /// The texture of that name, or none.
+  /// The texture of that name, or none; an error where there is a property of that name, too.
   std::uint32_t texture(const std::string& name, float most);
   /// A positive index of refraction.
   float index_of_refraction(const std::string& name, float fallback);

@@ -1,0 +1,129 @@
+#include "statistics/pdf_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace facet::statistics {
+
+namespace {
+
+/// Difference of a cell's two estimates that is small enough, as a share of all samples.
+constexpr double tolerance = 5e-7;
+constexpr int most_rounds = 26;
+constexpr std::uint64_t most_evaluations = 8'000'000;
+
+struct Estimated {
+  Cell cell;
+  double mass = 0;
+  double peak = 0;  ///< largest density among its points
+};
+
+/// Whether some sample's density stands out: its peak lies between the points.
+bool has_missed_peak(const Estimated& e) {
+  return std::ranges::any_of(e.cell.pilots, [&](const Pilot& p) { return p.pdf > 4 * e.peak; });
+}
+
+std::array<Cell, 4> quarters(const Cell& cell) {
+  const Rectangle& a = cell.area;
+  const std::array<double, 2> middle{0.5 * (a.lower[0] + a.upper[0]), 0.5 * (a.lower[1] + a.upper[1])};
+  std::array<Cell, 4> result;
+  for (std::size_t q = 0; q < 4; ++q) {
+    result[q].area = a;
+    result[q].bin = cell.bin;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if ((q >> axis & 1U) == 0) {
+        result[q].area.upper[axis] = middle[axis];
+      } else {
+        result[q].area.lower[axis] = middle[axis];
+      }
+    }
+  }
+  for (const Pilot& p : cell.pilots)
+    result[(p.at.v < middle[0] ? 0U : 1U) + (p.at.phi < middle[1] ? 0U : 2U)].pilots.push_back(p);
+  return result;
+}
+
+class Quadrature {
+ public:
+  Quadrature(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins)
+      : evaluator_(evaluator), wo_(wo), bins_(bins) {}
+
+  /// Mass of every cell by three times three Gauss points.
+  std::vector<Estimated> estimate(std::vector<Cell> cells) {
+    std::vector<DirectionPair> pairs;
+    pairs.reserve(cells.size() * 9);
+    for (const Cell& cell : cells) add_points(cell.area, pairs);
+    const std::vector<BsdfValue> values = evaluator_.evaluate(pairs);
+    evaluations += values.size();
+    std::vector<Estimated> result(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const Rectangle& a = cells[i].area;
+      double sum = 0;
+      double peak = 0;
+      for (std::size_t k = 0; k < 9; ++k) {
+        const double pdf = values[9 * i + k].pdf;
+        sum += weights[k / 3] * weights[k % 3] * pdf;
+        peak = std::max(peak, pdf);
+      }
+      result[i] = {std::move(cells[i]), sum * (a.upper[0] - a.lower[0]) * (a.upper[1] - a.lower[1]), peak};
+    }
+    return result;
+  }
+
+  std::uint64_t evaluations = 0;
+
+ private:
+  static constexpr std::array<double, 3> weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+  void add_points(const Rectangle& a, std::vector<DirectionPair>& pairs) const {
+    static const std::array<double, 3> points{0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
+    for (const double x : points) {
+      for (const double y : points) {
+        const Coordinates c{a.side, a.lower[0] + x * (a.upper[0] - a.lower[0]),
+                            a.lower[1] + y * (a.upper[1] - a.lower[1])};
+        pairs.push_back({wo_, bins_.direction(c)});
+      }
+    }
+  }
+
+  BsdfEvaluator& evaluator_;
+  vec3 wo_;
+  const DirectionBins& bins_;
+};
+
+}  // namespace
+
+PdfIntegral integrate_pdf(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins) {
+  PdfIntegral result;
+  result.bins.resize(bins.bin_count());
+  Quadrature quadrature(evaluator, wo, bins);
+  std::vector<Estimated> open = quadrature.estimate(bins.cells());
+  for (int round = 1; !open.empty(); ++round) {
+    const bool last = round == most_rounds || quadrature.evaluations > most_evaluations;
+    std::vector<Cell> cells;
+    cells.reserve(open.size() * 4);
+    for (const Estimated& e : open) std::ranges::move(quarters(e.cell), std::back_inserter(cells));
+    std::vector<Estimated> finer = quadrature.estimate(std::move(cells));
+    std::vector<Estimated> next;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const std::span<Estimated> parts = std::span(finer).subspan(4 * i, 4);
+      const double mass = parts[0].mass + parts[1].mass + parts[2].mass + parts[3].mass;
+      const double difference = std::abs(mass - open[i].mass);
+      const bool missed = std::ranges::any_of(parts, has_missed_peak);
+      if (!last && (difference > tolerance || missed)) {
+        std::ranges::move(parts, std::back_inserter(next));
+        continue;
+      }
+      result.bins[open[i].cell.bin] += mass;
+      result.total += mass;
+      // Where the density is smooth, quarters are better by far more than that.
+      result.error += difference / 16;
+    }
+    open = std::move(next);
+  }
+  result.evaluations = quadrature.evaluations;
+  return result;
+}
+
+}  // namespace facet::statistics
