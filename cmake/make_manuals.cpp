@@ -4,6 +4,7 @@
 // plugin in one line. What begins with "Record:" is about the program's inside and left out. The plugin's
 // kind is the file's folder, or in host/scene the file itself.
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -129,7 +130,9 @@ std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::p
         if (std::filesystem::exists(pictures / (name + ".png")))
           page += "![" + name + "](" + pictures.filename().string() + "/" + name + ".png)\n\n";
       }
-      page += escaped(m->text) + "\n";
+      std::string text = escaped(m->text);
+      text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+      page += text + "\n";
     }
   }
   return page;
