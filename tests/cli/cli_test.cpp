@@ -174,6 +174,14 @@ TEST_F(CliTest, Info) {
 }
 
 TEST_F(CliTest, InfoListsWhatIsSupported) {
+  const Result list = run({"info", "--plugins"});
+  EXPECT_EQ(list.code, 0);
+  expect_words(list.out,
+               {"bsdf        diffuse: ", "sampler     independent, sobol: ", "direct_ems, direct_mats"});
+  const Result manual = run({"info", "--plugins", "whitted"});
+  EXPECT_EQ(manual.code, 0);
+  expect_words(manual.out, {"integrator \"whitted\": ", "maxDepth"});
+  expect_failure({"info", "--plugins", "difuse"}, 2, {"\"difuse\"", "did you mean \"diffuse\"?"});
   const Result result = run({"info", "--supported"});
   EXPECT_EQ(result.code, 0);
   expect_words(result.out,
