@@ -13,6 +13,7 @@ using Action = std::function<ExitCode()>;
 void add_render_command(CLI::App& app, Action& action);
 void add_parity_command(CLI::App& app, Action& action);
 void add_merge_command(CLI::App& app, Action& action);
+void add_test_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_devices_command(CLI::App& app, Action& action);

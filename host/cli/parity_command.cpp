@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/backend_options.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -249,6 +250,7 @@ void add_parity_command(CLI::App& app, Action& action) {
       "Compare the kernels with the CPU reference in two precisions, sample by sample (4 samples a "
       "pixel by default), and explain every difference; exits 1 where one cannot be explained");
   add_scene_options(*command, *options);
+  add_device_option(*command, options->device);
   command->add_option("--sampling", options->sampling, "How half vectors of rough lobes are sampled")
       ->check(CLI::IsMember({"ndf", "visible"}))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/backend_options.h"
 #include "cli/outputs.h"
 #include "core/text.h"
 #include "scene/reader.h"
@@ -36,6 +37,13 @@ std::vector<std::string> integrator_names() {
   return names;
 }
 
+Sampler parse_sampler(const std::string& name) {
+  if (const auto sampler = find_sampler(name)) return *sampler;
+  const std::vector<std::string> names(sampler_names.begin(), sampler_names.end());
+  throw InputError(fmt::format("--sampler \"{}\": unknown{}; there are: {}", name, did_you_mean(name, names),
+                               fmt::join(names, ", ")));
+}
+
 Crop parse_crop(const RenderOptions& options, const Camera& camera) {
   if (options.crop && options.pixel) throw InputError("--crop and --pixel exclude each other");
   std::vector<long long> v{0, 0, camera.width, camera.height};
@@ -55,13 +63,9 @@ Crop parse_crop(const RenderOptions& options, const Camera& camera) {
 
 /// Options that go with one backend only.
 void check_backend(const RenderOptions& o) {
-  const bool reference = o.backend == "reference";
-  if (!reference && !o.precision.empty())
-    throw InputError("--precision belongs to --backend reference: kernels compute in float");
-  if (!reference && o.sampling == "uniform")
+  check_backend_options(o.backend, o.precision, o.device, o.validate);
+  if (o.backend != "reference" && o.sampling == "uniform")
     throw InputError("--sampling uniform belongs to --backend reference");
-  if (reference && (!o.device.empty() || o.validate))
-    throw InputError("--device and --validate belong to --backend vulkan: the reference uses the CPU alone");
 }
 
 void set_masking(Scene& scene, bsdf::Masking masking) {
@@ -85,7 +89,8 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
   command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
-  command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
+  command.add_option("--sampler", o.sampler,
+                     "Sampler, by its name in the scene language: independent or sobol");
   command.add_option("--max-depth", o.max_depth, "Surface interactions of a path, -1: unlimited")
       ->check(CLI::Range(-1, 1 << 30));
   command.add_option("--resolution", o.resolution, "Size of the image, WxH");
@@ -100,7 +105,6 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
       ->check(CLI::IsMember({"uniform", "power"}));
   command.add_option("--masking", o.masking, "Masking function of Beckmann's distribution")
       ->check(CLI::IsMember({"rational", "exact"}));
-  command.add_option("--device", o.device, "Vulkan device, by index or part of its name (see facet devices)");
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
   command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
   command.add_flag("--strict", o.strict, "Warnings are errors");
@@ -116,13 +120,7 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       .add_option("-o,--output", o.outputs,
                   "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
       ->allow_extra_args(false);
-  command
-      .add_option("--backend", o.backend,
-                  "What renders: the kernels on a Vulkan device, or the reference on the CPU")
-      ->check(CLI::IsMember({"vulkan", "reference"}))
-      ->capture_default_str();
-  command.add_option("--precision", o.precision, "Precision of the reference (default: float)")
-      ->check(CLI::IsMember({"float", "double"}));
+  add_backend_options(command, o.backend, o.precision, o.device, o.validate);
   command
       .add_option("--sampling", o.sampling,
                   "Half vectors of rough lobes: from the ndf, or visible from the viewer; uniform: the "
@@ -132,8 +130,6 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
       ->capture_default_str();
   add_aov_option(command, o.aovs);
   add_exposure_option(command, o.exposure);
-  command.add_flag("--validate", o.validate,
-                   "Turn the Vulkan validation layers on; any message of theirs fails the render");
 }
 
 void apply_to_scene(const RenderOptions& o, Scene& scene) {
@@ -150,8 +146,7 @@ void apply_to_scene(const RenderOptions& o, Scene& scene) {
     throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator", o.scene));
   }
   check_backend(o);
-  if (o.sampler && *o.sampler != "independent")
-    throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
+  if (o.sampler) scene.sampler = parse_sampler(*o.sampler);
   if (o.max_depth) scene.integrator.max_depth = *o.max_depth;
   if (!o.heuristic.empty())
     scene.integrator.heuristic = o.heuristic == "power" ? Heuristic::power : Heuristic::balance;

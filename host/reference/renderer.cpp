@@ -90,7 +90,31 @@ Film render(const Scene& scene, const RenderSettings& settings, const ProgressCa
   return film;
 }
 
+template <typename Real>
+std::function<std::vector<vec3>(std::uint32_t)> sample_renderer(const Scene& scene,
+                                                                const RenderSettings& settings) {
+  const auto world = std::make_shared<const World<Real>>(scene, settings.sampling);
+  return [world, settings](std::uint32_t sample) {
+    const Crop& c = settings.crop;
+    std::vector<vec3> radiances(static_cast<std::size_t>(c.x1 - c.x0) *
+                                static_cast<std::size_t>(c.y1 - c.y0));
+    parallel_for(radiances.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const CropSample at(world->scene, settings, i, sample);
+        Unwatched unwatched;
+        radiances[i] = Tracer<Real, Unwatched>(*world, at.id, unwatched).radiance(at.x, at.y);
+      }
+    });
+    return radiances;
+  };
+}
+
 template Film render<float>(const Scene&, const RenderSettings&, const ProgressCallback&, RenderStatistics&);
 template Film render<double>(const Scene&, const RenderSettings&, const ProgressCallback&, RenderStatistics&);
+
+template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<float>(const Scene&,
+                                                                                const RenderSettings&);
+template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<double>(const Scene&,
+                                                                                 const RenderSettings&);
 
 }  // namespace facet::reference

@@ -1,7 +1,9 @@
 #pragma once
 // The reference renderer: the whole path from scene to film on the CPU, in float or in double, written from
 // docs/sampling.md and the papers and sharing no code with the kernels.
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "image/film.h"
 #include "scene/scene.h"
@@ -16,9 +18,20 @@ template <typename Real>
 [[nodiscard]] Film render(const Scene& scene, const RenderSettings& settings,
                           const ProgressCallback& progress, RenderStatistics& statistics);
 
+/// Renders one sample of every pixel of the crop at a time: radiances before the filter's weight, row by row.
+/// The scene must outlive the function.
+template <typename Real>
+[[nodiscard]] std::function<std::vector<vec3>(std::uint32_t sample)> sample_renderer(
+    const Scene& scene, const RenderSettings& settings);
+
 extern template Film render<float>(const Scene&, const RenderSettings&, const ProgressCallback&,
                                    RenderStatistics&);
 extern template Film render<double>(const Scene&, const RenderSettings&, const ProgressCallback&,
                                     RenderStatistics&);
+
+extern template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<float>(const Scene&,
+                                                                                       const RenderSettings&);
+extern template std::function<std::vector<vec3>(std::uint32_t)> sample_renderer<double>(
+    const Scene&, const RenderSettings&);
 
 }  // namespace facet::reference

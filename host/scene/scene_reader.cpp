@@ -1,0 +1,187 @@
+#include "scene/scene_reader.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include "core/text.h"
+#include "scene/emitter/readers.h"
+#include "scene/mesh/obj.h"
+#include "scene/plugins.h"
+#include "scene/reader.h"
+#include "scene/texture/reader.h"
+
+namespace facet {
+
+Scene SceneReader::read(const pugi::xml_node& node) && {
+  PropertyReader properties(xml_, node);
+  read_camera(properties);
+  read_sampler(properties);
+  read_integrator(properties);
+  for (const pugi::xml_node& mesh : properties.children("mesh")) read_mesh(mesh);
+  for (const pugi::xml_node& emitter : properties.children("emitter")) read_emitter(emitter);
+  properties.finish(diagnostics_);
+  return std::move(scene_);
+}
+
+void SceneReader::read_camera(PropertyReader& scene) {
+  const auto node = scene.only_child("camera");
+  if (!node) throw InputError(scene.location(), "the scene has no camera");
+  PropertyReader p = open(*node);
+  if (p.type() != "perspective") fail_unknown_type(p, "camera");
+  Camera& c = scene_.camera;
+  c.width = p.integer("width", c.width, 1, largest_image_side);
+  c.height = p.integer("height", c.height, 1, largest_image_side);
+  if (static_cast<long long>(c.width) * c.height > largest_image_area) {
+    p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width, c.height,
+                                largest_image_area));
+  }
+  c.to_world = p.transform("toWorld");
+  if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
+  if (glm::row(c.to_world, 3) != glm::dvec4(0, 0, 0, 1))
+    p.fail("toWorld", "is projective: its last row must be 0 0 0 1");
+  c.fov = p.real_above("fov", c.fov, 0);
+  if (c.fov >= 180) p.fail("fov", fmt::format("is {:g} degrees, but must be less than 180", c.fov));
+  c.near_clip = p.real("nearClip", c.near_clip);
+  if (c.near_clip < 0) p.fail("nearClip", "must not be negative");
+  c.far_clip = p.real_above("farClip", c.far_clip, c.near_clip);
+  if (const auto filter = p.only_child("rfilter")) c.filter = read_filter(*filter);
+  p.finish(diagnostics_);
+}
+
+Filter SceneReader::read_filter(const pugi::xml_node& node) {
+  PropertyReader p = open(node);
+  Filter filter;
+  if (p.type() == "gaussian") {
+    GaussianFilter f;
+    f.radius = p.real_between("radius", f.radius, 0.01, 100);
+    f.stddev = p.real_between("stddev", f.stddev, 0.01, 100);
+    filter = f;
+  } else if (p.type() == "mitchell") {
+    MitchellFilter f;
+    f.radius = p.real_between("radius", f.radius, 0.01, 100);
+    f.b = p.real_between("B", f.b, -10, 10);
+    f.c = p.real_between("C", f.c, -10, 10);
+    filter = f;
+  } else if (p.type() == "tent") {
+    filter = TentFilter{};
+  } else if (p.type() == "box") {
+    filter = BoxFilter{};
+  } else {
+    fail_unknown_type(p, "rfilter");
+  }
+  p.finish(diagnostics_);
+  return filter;
+}
+
+void SceneReader::read_sampler(PropertyReader& scene) {
+  const auto node = scene.only_child("sampler");
+  if (!node) return;
+  PropertyReader p = open(*node);
+  const auto sampler = find_sampler(p.type());
+  if (!sampler) fail_unknown_type(p, "sampler");
+  scene_.sampler = *sampler;
+  scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
+  scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
+  p.finish(diagnostics_);
+}
+
+void SceneReader::read_integrator(PropertyReader& scene) {
+  const auto node = scene.only_child("integrator");
+  if (!node) return;
+  PropertyReader p = open(*node);
+  const auto type = find_integrator_type(p.type());
+  if (!type) fail_unknown_type(p, "integrator");
+  // The name lives in the table, not in the file's text.
+  scene_.integrator.type = *type;
+  if (p.type() == "simple") {
+    scene_.integrator.position = p.point("position", scene_.integrator.position);
+    scene_.integrator.energy = p.radiance("energy", scene_.integrator.energy);
+  }
+  if (scene_.integrator.needs_emitters()) {
+    scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
+    scene_.integrator.heuristic =
+        p.choice("heuristic", {"balance", "power"}) == "power" ? Heuristic::power : Heuristic::balance;
+  }
+  p.finish(diagnostics_);
+}
+
+void SceneReader::read_mesh(const pugi::xml_node& node) {
+  PropertyReader p = open(node);
+  if (p.type() != "obj") fail_unknown_type(p, "mesh");
+  const std::string filename = p.string("filename", "");
+  if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
+  Mesh mesh =
+      read_obj(xml_.path().parent_path() / filename, p.transform("toWorld"), p.location(), diagnostics_);
+  mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
+  const auto bsdf = p.only_child("bsdf");
+  scene_.bsdfs.push_back(bsdf ? read_bsdf(*bsdf) : Bsdf(bsdf::Diffuse{}));
+  if (const auto emitter = p.only_child("emitter")) {
+    PropertyReader e = open_textured(*emitter);
+    if (e.type() != "area") {
+      if (e.type() == "environment" || e.type() == "pointlight") {
+        throw InputError(e.location(), fmt::format("{} belongs to the scene, not to a mesh", e.title()));
+      }
+      fail_unknown_type(e, "emitter");
+    }
+    mesh.emitter = static_cast<std::uint32_t>(scene_.emitters.size());
+    scene_.emitters.emplace_back(read_area_emitter(e, static_cast<std::uint32_t>(scene_.meshes.size())));
+    e.finish(diagnostics_);
+  }
+  p.finish(diagnostics_);
+  scene_.meshes.push_back(std::move(mesh));
+}
+
+Bsdf SceneReader::read_bsdf(const pugi::xml_node& node) {
+  PropertyReader p = open_textured(node);
+  std::optional<Bsdf> bsdf;
+#define FACET_READ(name, Type, id) \
+  if (p.type() == #name) bsdf = bsdf::Type::read(p);
+  FACET_BSDF_LIST(FACET_READ)
+#undef FACET_READ
+  if (!bsdf) fail_unknown_type(p, "bsdf");
+  p.finish(diagnostics_);
+  return *bsdf;
+}
+
+void SceneReader::read_emitter(const pugi::xml_node& node) {
+  PropertyReader p = open(node);
+  if (p.type() == "area")
+    throw InputError(p.location(), "emitter \"area\" belongs to a mesh, not to the scene");
+  if (p.type() == "environment") {
+    if (scene_.environment() != none)
+      throw InputError(p.location(), "the scene has more than one environment");
+    scene_.emitters.emplace_back(read_environment_emitter(p));
+  } else if (p.type() == "pointlight") {
+    scene_.emitters.emplace_back(read_point_light(p));
+  } else {
+    fail_unknown_type(p, "emitter");
+  }
+  p.finish(diagnostics_);
+}
+
+PropertyReader SceneReader::open_textured(const pugi::xml_node& node) {
+  (void)open(node);
+  return {xml_, node,
+          [this](const pugi::xml_node& texture, float most) { return add_texture(texture, most); }};
+}
+
+std::uint32_t SceneReader::add_texture(const pugi::xml_node& node, float most) {
+  PropertyReader p = open(node);
+  Texture texture = read_texture(p);
+  p.finish(diagnostics_);
+  if (maximum(texture) > most) {
+    throw InputError(p.location(),
+                     fmt::format("{} reaches {:g}, but \"{}\" lies between 0 and {:g}", p.title(),
+                                 maximum(texture), node.attribute("name").value(), most));
+  }
+  scene_.textures.push_back(std::move(texture));
+  return static_cast<std::uint32_t>(scene_.textures.size() - 1);
+}
+
+PropertyReader SceneReader::open(const pugi::xml_node& node) const {
+  if (!node.attribute("type")) {
+    throw InputError(xml_.location(node), fmt::format("<{}> lacks the attribute \"type\"", node.name()));
+  }
+  return {xml_, node};
+}
+
+}  // namespace facet

@@ -1,0 +1,41 @@
+#pragma once
+// From one <scene> element to a Scene.
+#include "scene/scene.h"
+#include "scene/xml/property_reader.h"
+
+namespace facet {
+
+/// Gathers a scene's parts; for one scene. Every member throws InputError, with file and line, for whatever
+/// is wrong. Keeps references to its arguments.
+class SceneReader {
+ public:
+  SceneReader(const XmlDocument& xml, Diagnostics& diagnostics) : xml_(xml), diagnostics_(diagnostics) {
+    scene_.file = xml.path();
+  }
+
+  /// All of a <scene>.
+  [[nodiscard]] Scene read(const pugi::xml_node& node) &&;
+  /// A <bsdf>; its textures join those of the scene.
+  [[nodiscard]] Bsdf read_bsdf(const pugi::xml_node& node);
+  [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
+
+ private:
+  void read_camera(PropertyReader& scene);
+  [[nodiscard]] Filter read_filter(const pugi::xml_node& node);
+  void read_sampler(PropertyReader& scene);
+  void read_integrator(PropertyReader& scene);
+  void read_mesh(const pugi::xml_node& node);
+  void read_emitter(const pugi::xml_node& node);
+  /// Returns the texture's index.
+  std::uint32_t add_texture(const pugi::xml_node& node, float most);
+  /// An object tag with a type.
+  [[nodiscard]] PropertyReader open(const pugi::xml_node& node) const;
+  /// The same, whose parameters may be textures.
+  [[nodiscard]] PropertyReader open_textured(const pugi::xml_node& node);
+
+  const XmlDocument& xml_;
+  Diagnostics& diagnostics_;
+  Scene scene_;
+};
+
+}  // namespace facet
