@@ -47,12 +47,11 @@ std::string describe(const BsdfCase& c, const DirectionPair& p) {
 }
 
 /// Largest mean weight that is no gain. Tables of albedos are interpolated; that of roughsubstrate from the
-/// denser side is inherent in its formula, and fresnelblend has no masking (below).
+/// denser side is inherent in its formula.
 double largest_albedo(const BsdfCase& c) {
   const auto* substrate = std::get_if<bsdf::RoughSubstrate>(&c.bsdf);
   if (substrate != nullptr && substrate->ext_ior > substrate->int_ior) return 1.9;
-  if (c.has_flag(shared::BSDF_MULTISCATTER)) return 1.002;
-  if (std::holds_alternative<bsdf::FresnelBlend>(c.bsdf)) return 1e9;
+  if (c.has_flag(shared::BSDF_MULTISCATTER)) return 1.005;
   return 1;
 }
 
@@ -114,7 +113,7 @@ struct Conditioning {
 /// Factor on relative errors beside the critical angle, where the squared cosine beyond is small but carries
 /// the rounding of unit vectors: F = 1 - k cos, k about 10.
 double beside_critical_angle(double cos2_beyond, bool reflects) {
-  return reflects ? 0.15 / std::sqrt(cos2_beyond) : 0.03 / cos2_beyond;
+  return reflects ? 0.15 / std::sqrt(cos2_beyond) : 0.06 / cos2_beyond;
 }
 
 Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
