@@ -194,7 +194,9 @@ TEST(ReferenceSampling, equal_indices_bend_nothing) {
   double sum = 0;
   const int count = for_each_sample(model, wo, 128, [&](const BsdfSample<double>& n) {
     sum += n.weight.x;
-    if (n.weight.x > 0 && n.wi.z < 0) EXPECT_NEAR(glm::length(n.wi + wo), 0, 0.03);
+    if (n.weight.x > 0 && n.wi.z < 0) {
+      EXPECT_NEAR(glm::length(n.wi + wo), 0, 0.03);
+    }
   });
   EXPECT_NEAR(sum / count, s.weight.x, 2e-3);
 }
