@@ -138,6 +138,16 @@ void DirectionBins::add_cells(const Rectangle& area, std::span<Pilot> pilots, st
 }
 
 void DirectionBins::add_cell(const Rectangle& area, std::span<const Pilot> pilots) {
+  // Where light is refracted from a grazing direction, the density ends just before the horizon: no step may
+  // lie between it and the first point.
+  if (area.upper[0] == 1 && area.lower[0] < 1 - 1e-5) {
+    Rectangle above = area;
+    Rectangle horizon = area;
+    above.upper[0] = horizon.lower[0] = 0.5 * (area.lower[0] + 1);
+    add_cell(above, pilots);
+    add_cell(horizon, pilots);
+    return;
+  }
   Cell cell{area, bin_count_ - 1, {}};
   std::ranges::copy_if(pilots, std::back_inserter(cell.pilots),
                        [&](const Pilot& p) { return contains(area, p.at); });
