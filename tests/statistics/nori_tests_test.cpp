@@ -229,6 +229,59 @@ TEST(PlanImage, KeepsTheShape) {
   EXPECT_EQ(plan_image(1, 1, 100000).width, 158);
 }
 
+/// Two BSDFs under two angles, of albedos 0.2, 0.2, 0.4, 0.4 by the order in which evaluators are made.
+std::vector<TestCase> run_albedos(const std::vector<double>& references, double of_file,
+                                  std::uint32_t seed = 1) {
+  StatisticalTest test;
+  test.significance = of_file;
+  test.bsdfs = {{bsdf::Diffuse{}, "one", {}}, {bsdf::Diffuse{}, "two", {}}};
+  test.kind = TTest{{0, 45}, references, 10000};
+  double weight = 0;
+  const TestBackend backend{[&weight](const Bsdf&) {
+                              auto lobe = std::make_unique<Lobe>();
+                              lobe->weight = weight += 0.2;
+                              return lobe;
+                            },
+                            {}};
+  std::vector<TestCase> cases;
+  run_test(test, backend, seed, [&](const TestCase& c) {
+    cases.push_back(c);
+    return true;
+  });
+  return cases;
+}
+
+TEST(RunTest, ReferencesGoByBsdfThenAngle) {
+  const std::vector<TestCase> cases = run_albedos({0.2, 0.21, 0.41, 0.4}, 0.001);
+  ASSERT_EQ(cases.size(), 4U);
+  EXPECT_TRUE(cases[0].verdict.passed);
+  EXPECT_FALSE(cases[1].verdict.passed);
+  EXPECT_FALSE(cases[2].verdict.passed);
+  EXPECT_TRUE(cases[3].verdict.passed);
+  EXPECT_NE(cases[2].name.find("two"), std::string::npos);
+  EXPECT_NE(cases[0].estimate.mean, cases[1].estimate.mean) << "other numbers in each case";
+}
+
+TEST(RunTest, CasesShareTheSignificance) {
+  // Some reference a little off, with a p-value that one case of four may have.
+  const std::vector<double> references{0.2025, 0.2, 0.4, 0.4};
+  const double p = run_albedos(references, 0.01)[0].verdict.p_value;
+  ASSERT_GT(p, 1e-12);
+  ASSERT_LT(p, 0.1);
+  EXPECT_TRUE(run_albedos(references, 2 * p)[0].verdict.passed);
+  EXPECT_FALSE(run_albedos(references, 8 * p)[0].verdict.passed);
+}
+
+TEST(RunTest, StopsWhenTold) {
+  StatisticalTest test;
+  test.bsdfs = {{bsdf::Diffuse{}, "one", {}}};
+  test.kind = ChiSquaredTest{4, 5, 1000, 9};
+  const TestBackend backend{[](const Bsdf&) { return std::make_unique<Lobe>(); }, {}};
+  int cases = 0;
+  run_test(test, backend, 1, [&cases](const TestCase&) { return ++cases < 3; });
+  EXPECT_EQ(cases, 3);
+}
+
 }  // namespace
 
 }  // namespace facet::statistics
