@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "render/features.h"
 #include "render/packed_scene.h"
+#include "scene/manuals.h"
 #include "scene/plugins.h"
 #include "scene/reader.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 struct InfoOptions {
   std::string scene;
+  std::optional<std::string> plugin;  ///< empty: all of them
   bool supported = false;
   bool strict = false;
 };
@@ -32,6 +34,24 @@ void print_supported() {
     }
     for (const auto& [tag, types] : by_tag) fmt::print("  {:<11} {}\n", tag, fmt::join(types, ", "));
   }
+}
+
+void print_plugins(const std::string& name) {
+  if (name.empty()) {
+    for (const Manual& m : manuals()) {
+      const std::string names(m.names.substr(1, m.names.size() - 2));
+      fmt::print("{:<11} {}: {}\n", m.kind, fmt::join(split_list(names), ", "), m.summary);
+    }
+    return;
+  }
+  std::vector<std::string> known;
+  for (const Manual& m : manuals()) {
+    for (const std::string_view other : split_list(m.names)) known.emplace_back(other);
+    if (!m.is_about(name)) continue;
+    fmt::print("{} \"{}\": {}", m.kind, name, m.text);
+    return;
+  }
+  throw InputError(fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
 }
 
 template <typename Record>
@@ -58,8 +78,10 @@ std::string describe(const Emitter& emitter, const Scene& scene) {
 
 ExitCode print_info(const InfoOptions& options) {
   if (options.supported) print_supported();
+  if (options.plugin) print_plugins(*options.plugin);
   if (options.scene.empty()) {
-    if (!options.supported) throw InputError("info: a scene file, or --supported, is needed");
+    if (!options.supported && !options.plugin)
+      throw InputError("info: a scene file, or --supported or --plugins, is needed");
     return ExitCode::done;
   }
   Diagnostics diagnostics(options.strict);
@@ -74,8 +96,8 @@ ExitCode print_info(const InfoOptions& options) {
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
                            bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
                            bytes_of(packed.texels);
-  fmt::print("{}: {} x {} pixels, {} samples, {}\n", options.scene, scene.camera.width, scene.camera.height,
-             scene.sample_count,
+  fmt::print("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width,
+             scene.camera.height, scene.sample_count, name_of(scene.sampler),
              scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
   fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
              packed.triangles.size());
@@ -106,6 +128,11 @@ void add_info_command(CLI::App& app, Action& action) {
   command->add_option("scene", options->scene, "Scene file (XML)");
   command->add_flag("--supported", options->supported,
                     "List the plugins of the scene language, supported and not yet");
+  command
+      ->add_option("--plugins", options->plugin,
+                   "List the plugins in a line each, or print the manual of NAME")
+      ->expected(0, 1)
+      ->type_name("[NAME]");
   command->add_flag("--strict", options->strict, "Warnings are errors");
   command->callback([options, &action] { action = [options] { return print_info(*options); }; });
 }

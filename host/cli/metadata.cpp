@@ -55,7 +55,7 @@ std::string rerun_command(const Image& image, int x, int y) {
 }
 
 bool share_samples(const Image& a, const Image& b) {
-  for (const char* key : {"facet.scene", "facet.seed"}) {
+  for (const char* key : {"facet.scene", "facet.seed", "facet.sampler"}) {
     const std::optional<std::string> value = find_metadata(a, key);
     if (!value || value != find_metadata(b, key)) return false;
   }

@@ -37,6 +37,13 @@ std::vector<std::string> integrator_names() {
   return names;
 }
 
+Sampler parse_sampler(const std::string& name) {
+  if (const auto sampler = find_sampler(name)) return *sampler;
+  const std::vector<std::string> names(sampler_names.begin(), sampler_names.end());
+  throw InputError(fmt::format("--sampler \"{}\": unknown{}; there are: {}", name, did_you_mean(name, names),
+                               fmt::join(names, ", ")));
+}
+
 Crop parse_crop(const RenderOptions& options, const Camera& camera) {
   if (options.crop && options.pixel) throw InputError("--crop and --pixel exclude each other");
   std::vector<long long> v{0, 0, camera.width, camera.height};
@@ -82,7 +89,8 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
   command.add_option("scene", o.scene, "Scene file (XML)")->required();
   command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
   command.add_option("--integrator", o.integrator, "Integrator, by its name in the scene language");
-  command.add_option("--sampler", o.sampler, "Sampler, by its name in the scene language");
+  command.add_option("--sampler", o.sampler,
+                     "Sampler, by its name in the scene language: independent or sobol");
   command.add_option("--max-depth", o.max_depth, "Surface interactions of a path, -1: unlimited")
       ->check(CLI::Range(-1, 1 << 30));
   command.add_option("--resolution", o.resolution, "Size of the image, WxH");
@@ -138,8 +146,7 @@ void apply_to_scene(const RenderOptions& o, Scene& scene) {
     throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator", o.scene));
   }
   check_backend(o);
-  if (o.sampler && *o.sampler != "independent")
-    throw InputError(fmt::format("--sampler \"{}\": there is only independent, so far", *o.sampler));
+  if (o.sampler) scene.sampler = parse_sampler(*o.sampler);
   if (o.max_depth) scene.integrator.max_depth = *o.max_depth;
   if (!o.heuristic.empty())
     scene.integrator.heuristic = o.heuristic == "power" ? Heuristic::power : Heuristic::balance;

@@ -24,7 +24,7 @@ struct CropSample {
     const auto width = static_cast<std::size_t>(settings.crop.x1 - settings.crop.x0);
     x = settings.crop.x0 + static_cast<int>(i % width);
     y = settings.crop.y0 + static_cast<int>(i / width);
-    id = {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, settings.seed};
+    id = {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, settings.seed, scene.sampler};
   }
 };
 

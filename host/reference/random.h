@@ -2,6 +2,7 @@
 // The numbers behind a sample's decisions (docs/sampling.md, "Numbers").
 #include <cstdint>
 
+#include "scene/sampler.h"
 #include "shared/dimensions.h"
 #include "shared/random_hash.h"
 
@@ -12,6 +13,7 @@ struct SampleId {
   std::uint32_t pixel = 0;  ///< y * width + x of the whole image
   std::uint32_t index = 0;
   std::uint32_t seed = 0;
+  Sampler sampler = Sampler::independent;
 };
 
 /// Four words, one for each component of a block of dimensions.
@@ -28,14 +30,16 @@ struct Block {
   }
 };
 
-[[nodiscard]] inline Block camera_block(const SampleId& id) {
-  return {shared::pcg4d({id.pixel, id.index, shared::BLOCK_CAMERA, id.seed})};
+[[nodiscard]] inline Block block_of(const SampleId& id, std::uint32_t block) {
+  if (id.sampler == Sampler::sobol) return {shared::sobol_block(id.pixel, id.index, block, id.seed)};
+  return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
 }
+
+[[nodiscard]] inline Block camera_block(const SampleId& id) { return block_of(id, shared::BLOCK_CAMERA); }
 
 /// Block BOUNCE_EMITTER or BOUNCE_BSDF of interaction k = 1, 2, ...
 [[nodiscard]] inline Block bounce_block(const SampleId& id, std::uint32_t k, std::uint32_t which) {
-  const std::uint32_t block = shared::BLOCK_FIRST_BOUNCE + (k - 1) * shared::BLOCKS_PER_BOUNCE + which;
-  return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
+  return block_of(id, shared::BLOCK_FIRST_BOUNCE + (k - 1) * shared::BLOCKS_PER_BOUNCE + which);
 }
 
 /// Block of a sample of emitter e = 0, 1, ... of `count` at interaction k = 1, 2, ..., where every emitter is
@@ -43,7 +47,7 @@ struct Block {
 [[nodiscard]] inline Block emitter_block(const SampleId& id, std::uint32_t k, std::size_t e,
                                          std::size_t count) {
   const std::size_t block = shared::BLOCK_EVERY_EMITTER + (k - 1) * count + e;
-  return {shared::pcg4d({id.pixel, id.index, static_cast<std::uint32_t>(block), id.seed})};
+  return block_of(id, static_cast<std::uint32_t>(block));
 }
 
 }  // namespace facet::reference

@@ -21,6 +21,7 @@ struct Features {
   bool variance = false;
   bool visible_normals = true;
   Integrator integrator;
+  Sampler sampler = Sampler::independent;
 
   /// Values of the specialization constants.
   [[nodiscard]] std::array<std::uint32_t, shared::SPEC_COUNT> constants(std::uint32_t stack_size) const;

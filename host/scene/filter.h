@@ -5,23 +5,38 @@
 
 namespace facet {
 
-/// exp(-x^2 / 2 stddev^2), shifted down to reach 0 at the radius.
+/* gaussian: a Gaussian, shifted down to reach 0 at its radius.
+
+   | parameter | default | meaning                    |
+   |-----------|---------|----------------------------|
+   | radius    | 2       | pixels, 0.01 to 100        |
+   | stddev    | 0.5     | deviation, 0.01 to 100     |
+
+   exp(-x^2/(2 stddev^2)) - exp(-radius^2/(2 stddev^2)), the product over x and y. Samples are spread by the
+   filter: no pixel depends on another's. */
 struct GaussianFilter {
   double radius = 2;
   double stddev = 0.5;
 };
 
-/// Mitchell and Netravali 1988, stretched to the radius (2 in the paper).
+/* mitchell: the cubic filters of Mitchell and Netravali 1988, stretched to the radius.
+
+   | parameter | default | meaning                                        |
+   |-----------|---------|------------------------------------------------|
+   | radius    | 2       | pixels, 0.01 to 100; in the paper 2            |
+   | B, C      | 1/3     | the paper's parameters, -10 to 10              |
+
+   Negative in parts: such samples are subtracted. */
 struct MitchellFilter {
   double radius = 2;
   double b = 1.0 / 3;
   double c = 1.0 / 3;
 };
 
-/// 1 - |x|, radius 1.
+/* tent: 1 - |x| along both axes, of radius 1; no parameters. */
 struct TentFilter {};
 
-/// Constant, radius 1/2.
+/* box: constant over the pixel; no parameters. */
 struct BoxFilter {};
 
 using Filter = std::variant<GaussianFilter, MitchellFilter, TentFilter, BoxFilter>;

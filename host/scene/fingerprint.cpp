@@ -148,7 +148,7 @@ class Hash {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed,
+  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, sampler,
                emitter_selection] = scene;
   Hash hash;
   hash.add(meshes);
@@ -157,6 +157,7 @@ std::uint64_t fingerprint(const Scene& scene) {
   hash.add(textures);
   hash.add(camera);
   hash.add(integrator);
+  hash.add(static_cast<int>(sampler));
   hash.add(static_cast<int>(emitter_selection));
   return hash.value();
 }

@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "scene/integrator.h"
+#include "scene/sampler.h"
 #include "shared/bsdf_list.h"
 #include "shared/emitter_list.h"
 
@@ -13,10 +14,10 @@ namespace {
 
 std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
-      {"mesh", "obj", true},        {"camera", "perspective", true}, {"sampler", "independent", true},
-      {"sampler", "sobol", false},  {"rfilter", "gaussian", true},   {"rfilter", "mitchell", true},
-      {"rfilter", "tent", true},    {"rfilter", "box", true},        {"texture", "textmap", true},
-      {"texture", "checker", true}, {"test", "ttest", true},         {"test", "chi2test", true},
+      {"mesh", "obj", true},         {"camera", "perspective", true}, {"rfilter", "gaussian", true},
+      {"rfilter", "mitchell", true}, {"rfilter", "tent", true},       {"rfilter", "box", true},
+      {"texture", "textmap", true},  {"texture", "checker", true},    {"test", "ttest", true},
+      {"test", "chi2test", true},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
   FACET_BSDF_LIST(FACET_BSDF)
@@ -24,6 +25,7 @@ std::vector<PluginInfo> make_plugins() {
 #define FACET_EMITTER(name, id) list.push_back({"emitter", #name, true});
   FACET_EMITTER_LIST(FACET_EMITTER)
 #undef FACET_EMITTER
+  for (const std::string_view name : sampler_names) list.push_back({"sampler", name, true});
   for (const IntegratorType& type : integrator_types()) list.push_back({"integrator", type.name, true});
   std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
   return list;

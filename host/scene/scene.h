@@ -11,8 +11,9 @@
 #include "core/maths.h"
 #include "image/image.h"
 #include "scene/bsdf/bsdf.h"
-#include "scene/filter.h"
+#include "scene/camera.h"
 #include "scene/integrator.h"
+#include "scene/sampler.h"
 #include "scene/texture/texture.h"
 
 namespace facet {
@@ -60,19 +61,6 @@ struct EnvironmentEmitter {
 /// Any emitter; the alternative's index is the id of the shared list.
 using Emitter = std::variant<AreaEmitter, EnvironmentEmitter, PointLight>;
 
-/// Nori's perspective camera: looks along +z of its space, +x to the right of the image, +y up: a left-handed
-/// view, so that a bare <lookat> (whose x is the viewer's left) mirrors the world, as in Nori, and files undo
-/// that with scale -1, 1, 1.
-struct Camera {
-  int width = 1280;
-  int height = 720;
-  dmat4 to_world{1};
-  double fov = 30;  ///< degrees, along x
-  double near_clip = 1e-4;
-  double far_clip = 1e4;
-  Filter filter;
-};
-
 /// How the emitter of a light sample is chosen.
 enum class EmitterSelection { uniform, power };
 
@@ -86,6 +74,7 @@ struct Scene {
   Integrator integrator;
   int sample_count = 1;
   std::uint32_t seed = 0;
+  Sampler sampler = Sampler::independent;
   EmitterSelection emitter_selection = EmitterSelection::power;
 
   [[nodiscard]] std::size_t triangle_count() const;

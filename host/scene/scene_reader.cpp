@@ -76,7 +76,9 @@ void SceneReader::read_sampler(PropertyReader& scene) {
   const auto node = scene.only_child("sampler");
   if (!node) return;
   PropertyReader p = open(*node);
-  if (p.type() != "independent") fail_unknown_type(p, "sampler");
+  const auto sampler = find_sampler(p.type());
+  if (!sampler) fail_unknown_type(p, "sampler");
+  scene_.sampler = *sampler;
   scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
   scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
   p.finish(diagnostics_);

@@ -4,8 +4,8 @@
    |--------------|----------|------------------------------------------------------------------------|
    | alpha        | 0.1      | roughness, 1e-4 to 1, number or texture                                |
    | R0           | 0.5      | reflectance at normal incidence, colour or texture, by Schlick's term  |
-   | material     |          | a metal by name (`Au`, `Ag`, `Cu`, `Al`, ...: exact Fresnel term, not R0 |
-   | eta, k       |          | its complex index of refraction instead, colours                       |
+   | material     |          | a metal instead of R0, by the exact Fresnel term: `Ag`, `Al`, `Au`, `Co`, `Cr`, `Cu`, `Fe`, `Mn`, `Ni`, `Pd`, `Ti` or `V` |
+   | eta, k       |          | its complex index of refraction instead, colours, 0.001 to 1000 and 0 to 1000 |
    | distribution | beckmann | of the microfacets' normals: `beckmann` or `ggx`                       |
    | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, within 0.35 %) or `exact` |
    | multiscatter | false    | give back the light that is lost between microfacets (Turquin 2019)    |

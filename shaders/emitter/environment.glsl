@@ -8,7 +8,8 @@
 
    Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at texel ((1-u) W, (1-v) H), bilinear
    between texel centres; u wraps, v clamps. Sampled by the mean of the bilinear luminance over each texel's cell times the
-   cell's solid angle, uniformly within it (docs/sampling.md). Texel record: rgb, and the cell's density in sr^-1. */
+   cell's solid angle, uniformly within it (docs/sampling.md).
+   Record: of a texel: rgb, and the cell's density in sr^-1. */
 #include "../lib/bindings.glsl"
 #include "../lib/elementary.glsl"
 #include "../lib/emitter_sample.glsl"

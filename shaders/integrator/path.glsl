@@ -1,7 +1,9 @@
 /* direct_ems, direct_mats, direct_mis, direct_whitted, whitted, path, path_mats, path_ems, path_nee, path_mis: light transport by
    paths from the camera. The names differ in how direct light is estimated at each surface interaction,
 
-   - ems, nee: by sampling an emitter;   - mats: by sampling the BSDF;   - mis: by both, weighted (path is path_mis);
+   - ems, nee: by sampling an emitter;
+   - mats: by sampling the BSDF;
+   - mis: by both, weighted (path is path_mis);
    - whitted: by sampling every emitter; paths then go on at delta lobes (mirror, dielectric) alone,
 
    and in how many interactions there are: one for direct_*, `maxDepth` for the others. At a delta lobe, all of them follow the lobe.

@@ -3,6 +3,7 @@
 #define FACET_RANDOM_GLSL
 #include "../shared/dimensions.h"
 #include "../shared/random_hash.h"
+#include "specialization.glsl"
 
 /// What a random number depends on beside its dimension.
 struct SampleId {
@@ -12,7 +13,10 @@ struct SampleId {
 };
 
 /// The four words of a block.
-uvec4 random_block(SampleId id, uint block) { return pcg4d(uvec4(id.pixel, id.index, block, id.seed)); }
+uvec4 random_block(SampleId id, uint block) {
+  if (SAMPLER == SAMPLER_sobol) return sobol_block(id.pixel, id.index, block, id.seed);
+  return pcg4d(uvec4(id.pixel, id.index, block, id.seed));
+}
 
 /// A word as a number in [0, 1 - 2^-24].
 float unit_float(uint bits) { return float(bits >> 8u) * 5.96046448e-8; }

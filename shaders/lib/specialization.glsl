@@ -6,6 +6,7 @@
 #include "../shared/emitter_list.h"
 #include "../shared/integrator_list.h"
 #include "../shared/records.h"
+#include "../shared/sampler_list.h"
 
 /// Entries of the traversal stack: the tree's own worst case.
 layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = 64;
@@ -32,10 +33,12 @@ layout(constant_id = SPEC_BSDF_FLAGS_ALL) const uint BSDF_FLAGS_ALL = 0;
 layout(constant_id = SPEC_TEXTURE_KINDS) const uint TEXTURE_KINDS = 3;
 /// Every emitter is sampled at each interaction, and paths go on at delta lobes alone.
 layout(constant_id = SPEC_EVERY_EMITTER) const bool EVERY_EMITTER = false;
+/// Where random numbers come from, id of FACET_SAMPLER_LIST.
+layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = 0;
 /// Sums of squares are kept.
 layout(constant_id = SPEC_VARIANCE) const bool VARIANCE = true;
 
-// Ids by name: BSDF_diffuse, EMITTER_area, INTEGRATOR_path.
+// Ids by name: BSDF_diffuse, EMITTER_area, INTEGRATOR_path, SAMPLER_sobol.
 #define FACET_ID(name, Type, id) const uint BSDF_##name = id;
 FACET_BSDF_LIST(FACET_ID)
 #undef FACET_ID
@@ -44,6 +47,9 @@ FACET_EMITTER_LIST(FACET_ID)
 #undef FACET_ID
 #define FACET_ID(name, id) const uint INTEGRATOR_##name = id;
 FACET_INTEGRATOR_KERNEL_LIST(FACET_ID)
+#undef FACET_ID
+#define FACET_ID(name, id) const uint SAMPLER_##name = id;
+FACET_SAMPLER_LIST(FACET_ID)
 #undef FACET_ID
 
 /// Whether the scene has an emitter of this id.

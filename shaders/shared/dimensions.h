@@ -27,12 +27,12 @@ FACET_CONSTANT uint EMITTER_PRIMITIVE = 1u;
 FACET_CONSTANT uint EMITTER_U = 2u;
 FACET_CONSTANT uint EMITTER_V = 3u;
 
-/// Second block of a bounce: the BSDF sample and Russian roulette.
+/// Second block of a bounce: the BSDF sample and Russian roulette. u and v are one pair of the sobol sampler.
 FACET_CONSTANT uint BOUNCE_BSDF = 1u;
 FACET_CONSTANT uint BSDF_LOBE = 0u;
-FACET_CONSTANT uint BSDF_U = 1u;
-FACET_CONSTANT uint BSDF_V = 2u;
-FACET_CONSTANT uint BSDF_ROULETTE = 3u;
+FACET_CONSTANT uint BSDF_ROULETTE = 1u;
+FACET_CONSTANT uint BSDF_U = 2u;
+FACET_CONSTANT uint BSDF_V = 3u;
 
 FACET_SHARED_END
 #endif

@@ -1,5 +1,7 @@
-// The integer hash behind every random number (docs/sampling.md, "Numbers").
-// Source: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg4d).
+// The integers behind every random number (docs/sampling.md, "Numbers").
+// Sources: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg4d); B. Burley,
+// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; S. Laine, T. Karras, "Stratified Sampling for
+// Stochastic Transparency", 2011, with the constants of N. Vegdahl, "Building a Better LK Hash", 2021.
 #ifndef FACET_SHARED_RANDOM_HASH_H
 #define FACET_SHARED_RANDOM_HASH_H
 #include "types.h"
@@ -18,6 +20,51 @@ FACET_FUNCTION uvec4 pcg4d(uvec4 v) {
   v.z += v.x * v.y;
   v.w += v.y * v.z;
   return v;
+}
+
+FACET_FUNCTION uint reversed_bits(uint x) {
+  x = ((x & 0x55555555u) << 1u) | ((x >> 1u) & 0x55555555u);
+  x = ((x & 0x33333333u) << 2u) | ((x >> 2u) & 0x33333333u);
+  x = ((x & 0x0f0f0f0fu) << 4u) | ((x >> 4u) & 0x0f0f0f0fu);
+  x = ((x & 0x00ff00ffu) << 8u) | ((x >> 8u) & 0x00ff00ffu);
+  return (x << 16u) | (x >> 16u);
+}
+
+/// A bijection of 32 bits in which each bit depends on those below it and itself alone: Owen's scrambling of
+/// a fraction whose bits are reversed.
+FACET_FUNCTION uint laine_karras(uint x, uint seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16u) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return x;
+}
+
+/// Bit j of the result is the sum modulo 2 of the bits k of x whose k has all of j's bits: the second
+/// dimension of Sobol's sequence for index x, its bits reversed (that dimension's matrix is Pascal's triangle
+/// modulo 2).
+FACET_FUNCTION uint reversed_sobol_1(uint x) {
+  x ^= (x & 0xaaaaaaaau) >> 1u;
+  x ^= (x & 0xccccccccu) >> 2u;
+  x ^= (x & 0xf0f0f0f0u) >> 4u;
+  x ^= (x & 0xff00ff00u) >> 8u;
+  return x ^ (x >> 16u);
+}
+
+/// Point `index` of Sobol's (0, 2)-sequence, shuffled and Owen-scrambled by three seeds.
+FACET_FUNCTION uvec2 scrambled_sobol(uint index, uvec4 seeds) {
+  uint shuffled = reversed_bits(laine_karras(reversed_bits(index), seeds.x));
+  return uvec2(reversed_bits(laine_karras(shuffled, seeds.y)),
+               reversed_bits(laine_karras(reversed_sobol_1(shuffled), seeds.z)));
+}
+
+/// The four words of a block of dimensions: components (0, 1) and (2, 3) are two pairs, shuffled and
+/// scrambled apart.
+FACET_FUNCTION uvec4 sobol_block(uint pixel, uint index, uint block, uint seed) {
+  uvec2 first = scrambled_sobol(index, pcg4d(uvec4(pixel, block, 0u, seed)));
+  uvec2 second = scrambled_sobol(index, pcg4d(uvec4(pixel, block, 1u, seed)));
+  return uvec4(first, second);
 }
 
 FACET_SHARED_END

@@ -44,7 +44,8 @@ TEST_F(CliTest, OptionValues) {
   expect_failure({"render", "scene.xml", "--aov", "albdo"}, 2, {"--aov", "variance"});
   expect_failure({"render", "scene.xml", "--integrator", "path_miss"}, 2,
                  {"path_miss", "did you mean \"path_mis\"?"});
-  expect_failure({"render", "scene.xml", "--sampler", "none"}, 2, {"--sampler", "independent"});
+  expect_failure({"render", "scene.xml", "--sampler", "sobl"}, 2,
+                 {"--sampler", "did you mean \"sobol\"?", "independent"});
   expect_failure({"render", "scene.xml", "--device", "no such device"}, 3,
                  {"no such device", "facet devices"});
   expect_failure({"render", "scene.xml", "--device", "99"}, 3, {"99", "facet devices"});
@@ -173,6 +174,14 @@ TEST_F(CliTest, Info) {
 }
 
 TEST_F(CliTest, InfoListsWhatIsSupported) {
+  const Result list = run({"info", "--plugins"});
+  EXPECT_EQ(list.code, 0);
+  expect_words(list.out,
+               {"bsdf        diffuse: ", "sampler     independent, sobol: ", "direct_ems, direct_mats"});
+  const Result manual = run({"info", "--plugins", "whitted"});
+  EXPECT_EQ(manual.code, 0);
+  expect_words(manual.out, {"integrator \"whitted\": ", "maxDepth"});
+  expect_failure({"info", "--plugins", "difuse"}, 2, {"\"difuse\"", "did you mean \"diffuse\"?"});
   const Result result = run({"info", "--supported"});
   EXPECT_EQ(result.code, 0);
   expect_words(result.out,

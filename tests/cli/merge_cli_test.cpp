@@ -56,6 +56,14 @@ TEST_F(MergedTest, PartsOfTheKernelsAreTheWhole) {
   expect_whole({"0:13", "13:14", "14:31", "31:63", "63:64"}, "64", {});
 }
 
+TEST_F(MergedTest, PartsUnderSobolAreTheWhole) {
+  for (const char* backend : {"vulkan", "reference"}) {
+    const Names options{"--sampler", "sobol", "--backend", backend};
+    expect_whole({"0:1", "1:3", "3:37", "37:64"}, "64", options);
+    EXPECT_EQ(*find_metadata(read("whole.exr").metadata, "facet.sampler"), "sobol");
+  }
+}
+
 TEST_F(MergedTest, PartsOfTheReferenceAreTheWhole) {
   for (const char* precision : {"float", "double"}) {
     const Names options{"--backend", "reference", "--precision", precision};

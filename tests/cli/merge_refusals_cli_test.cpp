@@ -13,6 +13,7 @@ TEST_F(MergeCliTest, PartsOfDifferentRendersAreRefused) {
       {{"--max-depth", "3"}, {"maximum depth is 3", "is -1"}},
       {{"--heuristic", "power"}, {"heuristic is power", "is balance"}},
       {{"--emitter-selection", "uniform"}, {"emitter selection is uniform", "is power"}},
+      {{"--sampler", "sobol"}, {"sampler is sobol", "is independent"}},
       {{"--sampling", "ndf"}, {"lobe sampling is ndf", "is visible"}},
       {{"--backend", "reference"}, {"backend is reference", "is vulkan"}},
       {{"--resolution", "8x16"}, {"image is 8x16", "is 16x16"}},

@@ -20,7 +20,7 @@ class Subject {
       : scene(resized(load_scene(name), width, height)), world(scene, LobeSampling::visible) {}
 
   [[nodiscard]] SampleId id(int x, int y, std::uint32_t sample) const {
-    return {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, scene.seed};
+    return {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, scene.seed, scene.sampler};
   }
 
   [[nodiscard]] Traced watched(int x, int y, std::uint32_t sample, const ForcedOutcomes& forced = {},

@@ -100,6 +100,17 @@ TEST(Parity, holds_for_crops_seeds_and_later_samples) {
   expect_parity(scene, settings);
 }
 
+TEST(Parity, holds_for_the_sobol_sampler) {
+  Scene scene = busy_scene();
+  scene.sampler = Sampler::sobol;
+  for (const char* integrator : {"path_mis", "whitted"}) {
+    set_integrator(scene, integrator);
+    RenderSettings settings = whole_image(scene, 4);
+    settings.seed = 4000000000U;
+    expect_parity(scene, settings);
+  }
+}
+
 std::uint64_t count_nonzero(const Film& film) {
   std::uint64_t count = 0;
   for (const PixelSums& pixel : film.pixels) count += pixel.nonzero;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/polygon.h"
 #include "support/render.h"
 #include "support/scenes.h"
 
@@ -242,19 +243,6 @@ TEST(Environment, of_one_bright_texel_lights_a_floor) {
   set_camera(scene, 4, 1, {-3, 4, 0}, {0, 0, 0});
   const dvec3 expected = dvec3(100, 50, 25) * (0.6 / std::numbers::pi * irradiance_of_texel(16, 8, 5, 6));
   for (const std::string& integrator : all_estimators()) expect_radiance(scene, integrator, 16384, expected);
-}
-
-/// Irradiance of a horizontal plane at the origin from a polygon (J. H. Lambert 1760), counting its front
-/// side.
-double polygon_irradiance(const std::array<dvec3, 3>& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const dvec3 a = glm::normalize(polygon.at(i));
-    const dvec3 b = glm::normalize(polygon.at((i + 1) % 3));
-    const dvec3 normal = glm::cross(a, b);
-    sum += std::atan2(glm::length(normal), glm::dot(a, b)) * glm::normalize(normal).y;
-  }
-  return sum / 2;
 }
 
 TEST(SphereLight, lights_a_plane_as_its_triangles_do_and_nearly_as_a_sphere) {

@@ -119,6 +119,7 @@ const std::map<std::string, Change>& changes_that_matter() {
       {"its energy", [](Scene& s) { s.integrator.energy.x = 2; }},
       {"depth", [](Scene& s) { s.integrator.max_depth = 3; }},
       {"heuristic", [](Scene& s) { s.integrator.heuristic = Heuristic::power; }},
+      {"sampler", [](Scene& s) { s.sampler = Sampler::sobol; }},
       {"emitter selection", [](Scene& s) { s.emitter_selection = EmitterSelection::uniform; }},
   };
   return changes;

@@ -106,6 +106,31 @@ TEST(ReferenceBsdf, dielectric_reflectance_is_fresnels) {
   EXPECT_EQ(dielectric_reflectance(0.3, 1.5, 1.5, 0, probe), 0);
 }
 
+TEST(ReferenceBsdf, conductor_reflectance_is_fresnels) {
+  // At normal incidence ((eta - 1)^2 + k^2)/((eta + 1)^2 + k^2); aluminium and gold in green.
+  for (const auto& [eta, k] : {std::pair{0.9, 6.7}, {0.35, 2.7}, {3.0, 0.1}}) {
+    const double expected = ((eta - 1) * (eta - 1) + k * k) / ((eta + 1) * (eta + 1) + k * k);
+    EXPECT_NEAR(conductor_reflectance(eta, k, 1.0), expected, 1e-12);
+    EXPECT_NEAR(conductor_reflectance(eta, k, 1e-9), 1, 1e-6);
+    // Away from it, by the textbook's amplitudes.
+    for (const double c : {0.9, 0.5, 0.1}) {
+      const std::complex<double> n(eta, k);
+      const std::complex<double> ct = std::sqrt(1.0 - (1 - c * c) / (n * n));
+      const double s = std::norm((c - n * ct) / (c + n * ct));
+      const double p = std::norm((n * c - ct) / (n * c + ct));
+      EXPECT_NEAR(conductor_reflectance(eta, k, c), (s + p) / 2, 1e-12);
+      EXPECT_NEAR(
+          conductor_reflectance(static_cast<float>(eta), static_cast<float>(k), static_cast<float>(c)),
+          (s + p) / 2, 1e-5);
+    }
+  }
+  Unwatched probe;
+  for (const double c : {1.0, 0.6, 0.2}) {
+    for (const double eta : {1.5, 0.7})
+      EXPECT_NEAR(conductor_reflectance(eta, 0.0, c), dielectric_reflectance(c, 1.0, eta, 0, probe), 1e-12);
+  }
+}
+
 /// The models written out plainly from their definitions: a misreading that kernels and reference shared
 /// would show here. Parameters are those of rough_bsdfs.
 class Definition {

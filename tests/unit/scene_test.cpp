@@ -87,6 +87,8 @@ TEST_F(SceneTest, SamplerDefaultsAndProperties) {
   const Scene plain = read_body("<sampler type=\"independent\"/>");
   EXPECT_EQ(plain.sample_count, 1);
   EXPECT_EQ(plain.seed, 0U);
+  EXPECT_EQ(plain.sampler, Sampler::independent);
+  EXPECT_EQ(read_body("<sampler type=\"sobol\"/>").sampler, Sampler::sobol);
   const Scene scene = read_body(
       "<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"33\"/><integer name=\"seed\" "
       "value=\"9\"/>"

@@ -16,18 +16,6 @@ template <typename Real>
   return r0 * (1 - m5) + Vec3<Real>(m5);
 }
 
-/// Unpolarised reflectance of a conductor of index eta + i k at cosine c, from Snell's law and the amplitudes
-/// in complex numbers.
-template <typename Real>
-[[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
-  using Complex = std::complex<Real>;
-  const Complex n(eta, k);
-  const Complex t = std::sqrt(Real(1) - (1 - c) * (1 + c) / (n * n));
-  const Complex perpendicular = (c - n * t) / (c + n * t);
-  const Complex parallel = (n * c - t) / (n * c + t);
-  return (std::norm(perpendicular) + std::norm(parallel)) / 2;
-}
-
 /// Unpolarised reflectance for light that arrives at cosine c >= 0 from the side of index `from`, in the form
 /// of R. Cook and K. Torrance 1982 (also B. Walter et al. 2007, eq. 22) with g - c written as (g^2 - c^2)/(g
 /// + c), so that nearly equal indices keep their digits.
@@ -43,6 +31,20 @@ template <typename Real, typename Probe>
   const Real perpendicular = difference / sum;
   const Real ratio = (c * sum - 1) / (c * difference + 1);
   return std::min(perpendicular * perpendicular * (1 + ratio * ratio) / 2, Real(1));
+}
+
+/// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's amplitudes:
+/// with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c q + s^2), s^2 = 1 -
+/// c^2.
+template <typename Real>
+[[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
+  using Complex = std::complex<Real>;
+  const Real s2 = std::max((1 - c) * (1 + c), Real(0));
+  const Complex excess((eta - 1) * (eta + 1) - k * k, 2 * eta * k);  // n^2 - 1
+  const Complex q = std::sqrt(excess + c * c);
+  const Real perpendicular = std::norm(excess) / (std::norm(c + q) * std::norm(c + q));
+  const Real ratio = std::norm(c * q - s2) / std::norm(c * q + s2);
+  return std::min(perpendicular * (1 + ratio) / 2, Real(1));
 }
 
 }  // namespace facet::reference

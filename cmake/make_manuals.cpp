@@ -1,0 +1,164 @@
+// Build tool: turns the comments at the heads of plugins into strings and into a page.
+//     make_manuals OUT.cpp OUT.md PICTURES_FOLDER FILE...
+// A manual is a comment that begins a line with "/* NAME, NAME: what it is.", its first sentence being the
+// plugin in one line. What begins with "Record:" is about the program's inside and left out. The plugin's
+// kind is the file's folder, or in host/scene the file itself.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Manual {
+  std::string kind;
+  std::vector<std::string> names;
+  std::string summary;
+  std::string text;  ///< markdown but for what escaped() changes
+};
+
+std::string read(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return text.str();
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+}
+
+std::string kind_of(const std::filesystem::path& file) {
+  const std::string folder = file.parent_path().filename().string();
+  if (folder != "scene") return folder;
+  const std::string stem = file.stem().string();
+  return stem == "filter" ? "rfilter" : stem;
+}
+
+/// The comment's lines without their indentation and without paragraphs about records.
+std::string tidied(const std::string& comment) {
+  std::istringstream in(comment);
+  std::string text;
+  bool is_record = false;
+  for (std::string line; std::getline(in, line);) {
+    line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+    line.erase(line.find_last_not_of(' ') + 1);
+    is_record = (is_record && !line.empty()) || line.starts_with("Record:");
+    if (!is_record) text += line + '\n';
+  }
+  text.erase(text.find_last_not_of('\n') + 1);
+  return text;
+}
+
+std::string first_sentence(const std::string& text) {
+  std::string sentence = text.substr(0, std::min(text.find("\n\n"), text.size()));
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  return sentence.substr(0, std::min(sentence.find(". "), sentence.find_last_not_of(".;,") + 1));
+}
+
+std::vector<Manual> manuals_in(const std::filesystem::path& file) {
+  static const std::regex start(R"((^|\n)/\* ([a-z0-9_]+(,\s+[a-z0-9_]+)*):\s+)");
+  static const std::regex name(R"([a-z0-9_]+)");
+  const std::string source = read(file);
+  std::vector<Manual> manuals;
+  for (std::sregex_iterator i(source.begin(), source.end(), start); i != std::sregex_iterator(); ++i) {
+    const auto begin = static_cast<std::size_t>(i->position() + i->length());
+    const std::string text = tidied(source.substr(begin, source.find("*/", begin) - begin));
+    const std::string names = i->str(2);
+    Manual manual{kind_of(file), {}, first_sentence(text), text};
+    for (std::sregex_iterator n(names.begin(), names.end(), name); n != std::sregex_iterator(); ++n)
+      manual.names.push_back(n->str());
+    manuals.push_back(manual);
+  }
+  return manuals;
+}
+
+std::string joined(const std::vector<std::string>& names, const std::string& separator) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : separator) + name;
+  return text;
+}
+
+std::string as_source(const std::vector<Manual>& manuals) {
+  std::string text =
+      "#include \"scene/manuals.h\"\n\n#include <array>\n\nnamespace facet {\n\nnamespace {\n\n";
+  text += "constexpr std::array<Manual, " + std::to_string(manuals.size()) + "> list{{\n";
+  for (const Manual& m : manuals) {
+    text += "    {\"" + m.kind + "\", \" " + joined(m.names, " ") + " \", R\"~~~(" + m.summary +
+            ")~~~\", R\"~~~(" + m.text + "\n)~~~\"},\n";
+  }
+  return text +
+         "}};\n\n}  // namespace\n\nstd::span<const Manual> manuals() { return list; }\n\n}  // namespace "
+         "facet\n";
+}
+
+/// Characters that markdown takes for its own, outside of `code`.
+std::string escaped(const std::string& text) {
+  std::string result;
+  bool is_code = false;
+  for (const char c : text) {
+    is_code = is_code != (c == '`');
+    if (!is_code && (c == '*' || c == '<')) result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::path& pictures) {
+  std::map<std::string, std::vector<const Manual*>> kinds;
+  for (const Manual& m : manuals) kinds[m.kind].push_back(&m);
+  std::string page =
+      "# Plugins of the scene language\n\nThis page is made from the comments at the heads of the plugins' "
+      "files: change those, then `ninja "
+      "plugins_page`. `facet info --plugins NAME` prints the same.\n";
+  for (const auto& [kind, list] : kinds) {
+    page += "\n## " + kind + "\n";
+    for (const Manual* m : list) {
+      page += "\n### " + joined(m->names, ", ") + "\n\n";
+      for (const std::string& name : m->names) {
+        if (std::filesystem::exists(pictures / (name + ".png")))
+          page += "![" + name + "](" + pictures.filename().string() + "/" + name + ".png)\n\n";
+      }
+      std::string text = escaped(m->text);
+      text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+      page += text + "\n";
+    }
+  }
+  return page;
+}
+
+void make(const std::vector<std::string>& arguments) {
+  if (arguments.size() < 4)
+    throw std::runtime_error("usage: make_manuals OUT.cpp OUT.md PICTURES_FOLDER FILE...");
+  std::vector<Manual> manuals;
+  for (std::size_t i = 3; i < arguments.size(); ++i) {
+    for (Manual& manual : manuals_in(arguments[i])) manuals.push_back(std::move(manual));
+  }
+  std::stable_sort(manuals.begin(), manuals.end(), [](const Manual& a, const Manual& b) {
+    return std::pair(a.kind, a.names.front()) < std::pair(b.kind, b.names.front());
+  });
+  write(arguments[0], as_source(manuals));
+  write(arguments[1], as_page(manuals, arguments[2]));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    make({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "make_manuals: " << error.what() << '\n';
+    return 1;
+  }
+}

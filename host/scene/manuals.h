@@ -1,0 +1,23 @@
+#pragma once
+// The plugins' manuals, which the build takes from the heads of their files (cmake/make_manuals.cpp).
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace facet {
+
+struct Manual {
+  std::string_view kind;     ///< bsdf, emitter, ...
+  std::string_view names;    ///< of the plugins it is about, with a blank before and after each
+  std::string_view summary;  ///< one line
+  std::string_view text;
+
+  [[nodiscard]] bool is_about(std::string_view name) const {
+    return names.find(' ' + std::string(name) + ' ') != std::string_view::npos;
+  }
+};
+
+/// By kind and name.
+[[nodiscard]] std::span<const Manual> manuals();
+
+}  // namespace facet

@@ -1,0 +1,51 @@
+#pragma once
+/* independent, sobol: where the random numbers of a sample come from.
+
+   | parameter   | default | meaning                             |
+   |-------------|---------|-------------------------------------|
+   | sampleCount | 1       | samples a pixel                     |
+   | seed        | 0       | another seed gives another estimate |
+
+   `independent`: every number is a hash of pixel, sample and dimension (M. Jarzynski, M. Olano, JCGT 9(3),
+   2020).
+
+   `sobol`: the samples of a pixel are spread evenly in each pair of dimensions that belong together:
+   Owen-scrambled points of Sobol', shuffled from one pair to the next (B. Burley, "Practical Hash-based Owen
+   Scrambling", JCGT 9(4), 2020). Less noise, most of all where little but one light or one lobe is sampled;
+   the numbers of samples that are powers of two serve best. Estimates of the error that a render makes of
+   itself (variance channels, error_estimate) are too large with it: they take the samples of a pixel for
+   independent. */
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "shared/sampler_list.h"
+
+namespace facet {
+
+enum class Sampler : std::uint32_t {
+#define FACET_SAMPLER(name, id) name = id,
+  FACET_SAMPLER_LIST(FACET_SAMPLER)
+#undef FACET_SAMPLER
+};
+
+/// The scene language's names, by id.
+inline constexpr std::array sampler_names{
+#define FACET_NAME(name, id) std::string_view(#name),
+    FACET_SAMPLER_LIST(FACET_NAME)
+#undef FACET_NAME
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Sampler sampler) {
+  return sampler_names.at(static_cast<std::size_t>(sampler));
+}
+
+[[nodiscard]] inline std::optional<Sampler> find_sampler(std::string_view name) {
+  const auto* const found = std::find(sampler_names.begin(), sampler_names.end(), name);
+  if (found == sampler_names.end()) return std::nullopt;
+  return static_cast<Sampler>(found - sampler_names.begin());
+}
+
+}  // namespace facet
