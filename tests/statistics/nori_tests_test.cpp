@@ -299,6 +299,34 @@ TEST(RunTest, CasesShareTheSignificance) {
   EXPECT_FALSE(run_albedos(references, 8 * p)[0].verdict.passed);
 }
 
+TEST(RunTest, ScenesAreSampledEvenlyAndIndependently) {
+  StatisticalTest test;
+  test.kind = TTest{{}, {0.25}, 1000};
+  test.scenes.resize(1);
+  Scene& scene = test.scenes[0].scene;
+  scene.camera.width = 400;
+  scene.camera.height = 300;
+  scene.sampler = Sampler::sobol;
+  std::size_t samples = 0;
+  const TestBackend backend{{}, [&samples](const Scene& s, const RenderSettings& settings) -> SampleRenderer {
+                              EXPECT_TRUE(std::holds_alternative<BoxFilter>(s.camera.filter));
+                              EXPECT_EQ(s.sampler, Sampler::independent);
+                              EXPECT_EQ(s.camera.width * 3, s.camera.height * 4);
+                              EXPECT_EQ(settings.crop.x1, s.camera.width);
+                              EXPECT_EQ(settings.crop.y1, s.camera.height);
+                              const auto pixels = static_cast<std::size_t>(s.camera.width * s.camera.height);
+                              return [&samples, pixels](std::uint32_t) {
+                                samples += pixels;
+                                return std::vector<vec3>(pixels, vec3(0.25F));
+                              };
+                            }};
+  run_test(test, backend, 1, [](const TestCase& c) {
+    EXPECT_TRUE(c.verdict.passed);
+    return true;
+  });
+  EXPECT_GE(samples, 1000U);
+}
+
 TEST(RunTest, StopsWhenTold) {
   StatisticalTest test;
   test.bsdfs = {{bsdf::Diffuse{}, "one", {}}};
