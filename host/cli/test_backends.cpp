@@ -1,8 +1,6 @@
 #include "cli/test_backends.h"
 
-#if __has_include("reference/bsdf_evaluator.h")
 #include "reference/bsdf_evaluator.h"
-#endif
 #include "reference/renderer.h"
 #include "render/bsdf_evaluator.h"
 #include "render/renderer.h"
@@ -13,16 +11,17 @@ namespace {
 
 class KernelRunner : public TestRunner {
  public:
-  KernelRunner(const std::string& device, bool validate)
-      : instance_(validate), device_(instance_, instance_.choose(device)) {}
+  KernelRunner(const std::string& device, bool validate, LobeSampling sampling)
+      : instance_(validate), device_(instance_, instance_.choose(device)), sampling_(sampling) {}
 
   statistics::TestBackend backend() override {
     return {[this](const Bsdf& bsdf) -> std::unique_ptr<statistics::BsdfEvaluator> {
               // Scenes need none of these kernels.
               if (!kernels_) kernels_ = std::make_unique<BsdfKernels>(device_);
-              return std::make_unique<KernelBsdfEvaluator>(*kernels_, bsdf, LobeSampling::visible);
+              return std::make_unique<KernelBsdfEvaluator>(*kernels_, bsdf, sampling_);
             },
-            [this](const Scene& scene, const RenderSettings& settings) -> statistics::SampleRenderer {
+            [this](const Scene& scene, RenderSettings settings) -> statistics::SampleRenderer {
+              settings.sampling = sampling_;
               const auto renderer = std::make_shared<Renderer>(device_, pack_scene(scene),
                                                                find_features(scene, settings), settings);
               return [this, renderer](std::uint32_t sample) {
@@ -46,6 +45,7 @@ class KernelRunner : public TestRunner {
  private:
   gpu::Instance instance_;
   gpu::Device device_;
+  LobeSampling sampling_;
   std::unique_ptr<BsdfKernels> kernels_;
   bool bound_hit_ = false;
 };
@@ -53,16 +53,14 @@ class KernelRunner : public TestRunner {
 template <typename Real>
 class ReferenceRunner : public TestRunner {
  public:
+  explicit ReferenceRunner(LobeSampling sampling) : sampling_(sampling) {}
+
   statistics::TestBackend backend() override {
-    return {[](const Bsdf& bsdf) -> std::unique_ptr<statistics::BsdfEvaluator> {
-#if __has_include("reference/bsdf_evaluator.h")
-              return std::make_unique<reference::ReferenceBsdfEvaluator<Real>>(bsdf, LobeSampling::visible);
-#else
-              (void)bsdf;
-              throw InputError("no BSDF evaluation in the reference yet");
-#endif
+    return {[this](const Bsdf& bsdf) -> std::unique_ptr<statistics::BsdfEvaluator> {
+              return std::make_unique<reference::ReferenceBsdfEvaluator<Real>>(bsdf, sampling_);
             },
-            [](const Scene& scene, const RenderSettings& settings) {
+            [this](const Scene& scene, RenderSettings settings) {
+              settings.sampling = sampling_;
               return reference::sample_renderer<Real>(scene, settings);
             }};
   }
@@ -70,17 +68,21 @@ class ReferenceRunner : public TestRunner {
   std::string name() const override {
     return sizeof(Real) == sizeof(double) ? "CPU reference in double" : "CPU reference in float";
   }
+
+ private:
+  LobeSampling sampling_;
 };
 
 }  // namespace
 
-std::unique_ptr<TestRunner> make_kernel_runner(const std::string& device, bool validate) {
-  return std::make_unique<KernelRunner>(device, validate);
+std::unique_ptr<TestRunner> make_kernel_runner(const std::string& device, bool validate,
+                                               LobeSampling sampling) {
+  return std::make_unique<KernelRunner>(device, validate, sampling);
 }
 
-std::unique_ptr<TestRunner> make_reference_runner(const std::string& precision) {
-  if (precision == "double") return std::make_unique<ReferenceRunner<double>>();
-  return std::make_unique<ReferenceRunner<float>>();
+std::unique_ptr<TestRunner> make_reference_runner(const std::string& precision, LobeSampling sampling) {
+  if (precision == "double") return std::make_unique<ReferenceRunner<double>>(sampling);
+  return std::make_unique<ReferenceRunner<float>>(sampling);
 }
 
 }  // namespace facet::cli

@@ -23,9 +23,11 @@ class TestRunner {
 };
 
 /// The kernels on a Vulkan device (by index or part of its name; empty: the best).
-[[nodiscard]] std::unique_ptr<TestRunner> make_kernel_runner(const std::string& device, bool validate);
+[[nodiscard]] std::unique_ptr<TestRunner> make_kernel_runner(const std::string& device, bool validate,
+                                                             LobeSampling sampling);
 
 /// The reference in "float" or "double".
-[[nodiscard]] std::unique_ptr<TestRunner> make_reference_runner(const std::string& precision);
+[[nodiscard]] std::unique_ptr<TestRunner> make_reference_runner(const std::string& precision,
+                                                                LobeSampling sampling);
 
 }  // namespace facet::cli

@@ -15,6 +15,7 @@
 #include "cli/test_report.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "image/files.h"
 #include "scene/test_reader.h"
 
 namespace facet::cli {
@@ -26,6 +27,7 @@ struct TestOptions {
   std::string backend = "vulkan";
   std::string precision;
   std::string device;
+  std::string sampling = "visible";
   std::uint32_t seed = 0;
   std::string pictures = ".";
   std::string junit;
@@ -43,9 +45,7 @@ class TestJob {
     catch_interrupts();
     check_options();
     for (const std::string& file : options_.files) load(file);
-    const std::unique_ptr<TestRunner> runner = options_.backend == "reference"
-                                                   ? make_reference_runner(options_.precision)
-                                                   : make_kernel_runner(options_.device, options_.validate);
+    const std::unique_ptr<TestRunner> runner = make_runner();
     for (std::size_t i = 0; i < tests_.size() && !was_interrupted(); ++i)
       run_file(options_.files[i], tests_[i], *runner);
     const std::vector<std::string> faults = runner->faults();
@@ -62,6 +62,12 @@ class TestJob {
     if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
     if (!std::filesystem::is_directory(options_.pictures))
       throw InputError(fmt::format("--pictures {}: no such folder", options_.pictures));
+  }
+
+  [[nodiscard]] std::unique_ptr<TestRunner> make_runner() const {
+    const LobeSampling sampling = options_.sampling == "ndf" ? LobeSampling::ndf : LobeSampling::visible;
+    if (options_.backend == "reference") return make_reference_runner(options_.precision, sampling);
+    return make_kernel_runner(options_.device, options_.validate, sampling);
   }
 
   void load(const std::string& file) {
@@ -131,6 +137,9 @@ void add_test_command(CLI::App& app, Action& action) {
                                          "1 where one fails");
   command->add_option("files", o.files, "Test files (XML)")->required();
   add_backend_options(*command, o.backend, o.precision, o.device, o.validate);
+  command->add_option("--sampling", o.sampling, "How half vectors of rough lobes are sampled")
+      ->check(CLI::IsMember({"ndf", "visible"}))
+      ->capture_default_str();
   command->add_option("--seed", o.seed, "Seed of the random numbers")->capture_default_str();
   command
       ->add_option("--pictures", o.pictures,
