@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything from a fresh Debian 12 to an image, or to the test results:
 #     sh cmake/bootstrap.sh render [SCENE.xml [options of facet render]]
-#     sh cmake/bootstrap.sh test [options of ctest]
+#     sh cmake/bootstrap.sh test [options of ctest; without any, all tests but the slow ones]
 # Installs the Debian packages that are missing (apt, as root or through sudo), builds build/release, and runs. Works from any
 # folder: images are written to the folder it is called from. A second run takes seconds.
 set -eu
@@ -90,6 +90,7 @@ case $command in
     # Here, since tests download nothing.
     sh "$root/cmake/second-driver.sh" --prepare >&2 || say "the test that compares two drivers will be skipped"
     cd "$root/build/release"
+    [ $# -gt 0 ] || set -- -LE slow
     exec ctest --output-on-failure "$@"
     ;;
   *) usage ;;

@@ -37,7 +37,7 @@ struct Chi2Result {
   double p_value = 0;  ///< 0 also where anything is not a number
   std::uint32_t populated_bins = 0;
   double pdf_integral = 0;
-  double integral_error = 0;  ///< bound on the quadrature's error
+  double integral_error = 0;  ///< bound on the quadrature's error, by which the rejected mass may be off
   double rejected_share = 0;
   std::uint64_t evaluations = 0;  ///< of the density, for its integral
   std::uint64_t bad_samples = 0;  ///< NaN, infinite or negative, or of a direction that is not a unit vector

@@ -51,7 +51,8 @@ struct RefractionPair {
 };
 
 RefractionPair roughdielectric_refraction(RoughInterface r, vec3 wi) {
-  vec3 sum = r.eta_o * r.wo + r.eta_i * wi;
+  // eta_o wo + eta_i wi, in the order that keeps its digits where the indices are nearly equal: the two terms almost cancel.
+  vec3 sum = r.eta_o * (r.wo + wi) + (r.eta_i - r.eta_o) * wi;
   RefractionPair p;
   p.h = r.eta_o > r.eta_i ? sum : -sum;
   p.h2 = dot3(p.h, p.h);

@@ -2,6 +2,7 @@
 // energy and is reciprocal; values and weights are those of the reference in double. FACET_FULL_GRID in the
 // environment samples every direction.
 #include <cmath>
+#include <numbers>
 
 #include "reference/bsdf_evaluator.h"
 #include "render/bsdf_evaluator.h"
@@ -41,12 +42,16 @@ std::string describe(const BsdfCase& c, const vec3& wo) {
   return fmt::format("{}, wo ({}, {}, {})", c.name, wo.x, wo.y, wo.z);
 }
 
-/// Largest mean weight that is no gain. That of roughsubstrate from the denser side is inherent in its
-/// formula, and fresnelblend has no masking (below).
+std::string describe(const BsdfCase& c, const DirectionPair& p) {
+  return fmt::format("{}, wi ({}, {}, {})", describe(c, p.wo), p.wi.x, p.wi.y, p.wi.z);
+}
+
+/// Largest mean weight that is no gain. Tables of albedos are interpolated; that of roughsubstrate from the
+/// denser side is inherent in its formula.
 double largest_albedo(const BsdfCase& c) {
   const auto* substrate = std::get_if<bsdf::RoughSubstrate>(&c.bsdf);
   if (substrate != nullptr && substrate->ext_ior > substrate->int_ior) return 1.9;
-  if (std::holds_alternative<bsdf::FresnelBlend>(c.bsdf)) return 1e9;
+  if (c.has_flag(shared::BSDF_MULTISCATTER)) return 1.005;
   return 1;
 }
 
@@ -65,6 +70,7 @@ class BsdfTest : public testing::TestWithParam<std::size_t> {
 TEST_P(BsdfTest, samples_have_their_density_and_gain_no_energy) {
   const double significance = chi2_significance();
   double least = 1;
+  dvec3 brightest(0);
   for (const BsdfCase& c : bsdf_cases(GetParam())) {
     KernelBsdfEvaluator kernels = kernels_of(c);
     const std::vector<vec3> directions = view_directions(c);
@@ -82,20 +88,53 @@ TEST_P(BsdfTest, samples_have_their_density_and_gain_no_energy) {
       }
       expect_no_gain(c, wo, r.weight);
       least = std::min(least, r.p_value);
+      brightest = glm::max(brightest, r.weight.mean);
     }
   }
-  std::printf("least p-value %.3g, significance %.3g\n", least, significance);
+  std::printf("least p-value %.3g, significance %.3g, largest albedo %.4f\n", least, significance,
+              std::max({brightest.x, brightest.y, brightest.z}));
 }
 
-/// How much worse than single precision a value near its lobe's flank is: D moves by 2 tan^2/alpha^2 times
-/// the relative error of tan.
-double conditioning(const BsdfCase& c, const DirectionPair& p) {
+/// How well the value of a pair of directions can be known.
+struct Conditioning {
+  /// Of D: its exponent, or how far up the flank.
+  double slope = 1;
+  /// Beside the critical angle reflectance has an infinite slope, and what is refracted vanishes.
+  double reflectance = 1;
+  /// Relative change of D where a direction is rounded; where the products are that a refracted pair's half
+  /// vector is made of.
+  double rounding = 0;
+  double products = 0;
+
+  /// Relative difference that is allowed.
+  [[nodiscard]] double allowed() const { return 1e-5 * std::max(slope, reflectance) + products; }
+};
+
+/// Factor on relative errors beside the critical angle, where the squared cosine beyond is small but carries
+/// the rounding of unit vectors: F = 1 - k cos, k about 10.
+double beside_critical_angle(double cos2_beyond, bool reflects) {
+  return reflects ? 0.15 / std::sqrt(cos2_beyond) : 0.06 / cos2_beyond;
+}
+
+Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
   const bool reflects = (p.wo.z > 0) == (p.wi.z > 0);
-  const double eta_o = reflects ? 1 : c.index_at(p.wo);
-  const double eta_i = reflects ? 1 : c.index_at(p.wi);
-  const dvec3 h = dvec3(p.wo) * eta_o + dvec3(p.wi) * eta_i;
-  const double tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
-  return std::max(1.0, tan2 / (static_cast<double>(c.alpha()) * c.alpha()) / 10);
+  const double eta_o = c.index_at(p.wo);
+  const double eta_i = c.index_at(reflects ? -p.wo : p.wi);
+  const dvec3 h = dvec3(p.wo) * (reflects ? 1 : eta_o) + dvec3(p.wi) * (reflects ? 1 : eta_i);
+  const double alpha = c.alpha();
+  const double tangent = std::sqrt(h.x * h.x + h.y * h.y) / std::abs(h.z);
+  Conditioning result;
+  result.slope = std::max(1.0, tangent * tangent / (alpha * alpha) / 10);
+  result.rounding = 2 * (1 + tangent / alpha) * (0x1p-23 / std::abs(h.z)) / alpha;
+  if (!reflects) result.products = result.rounding * std::abs(eta_i - eta_o);
+  // The critical angle is that of the denser side.
+  const bool o_is_denser = eta_o > eta_i;
+  if (eta_o == eta_i || (reflects && !o_is_denser)) return result;
+  const double ratio = o_is_denser ? eta_i / eta_o : eta_o / eta_i;
+  const double cosine = std::abs(glm::dot(dvec3(o_is_denser ? p.wo : p.wi), glm::normalize(h)));
+  const double cos2_beyond = std::abs(1 - (1 - cosine * cosine) / (ratio * ratio));
+  result.reflectance = beside_critical_angle(std::max(cos2_beyond, 1e-9), reflects);
+  return result;
 }
 
 /// Pairs to evaluate: samples, which lie in the lobes, and directions all over the sphere.
@@ -120,13 +159,19 @@ bool is_value(const BsdfValue& v) {
 /// Relative difference in units of what is allowed.
 class Comparison {
  public:
-  void add(double a, double b, double allowed, const std::string& where) {
-    const double largest = std::max(std::abs(a), std::abs(b));
+  /// least: what counts as nothing.
+  void add(double a, double b, double allowed, double least, const std::string& where) {
+    const double largest = std::max({std::abs(a), std::abs(b), least});
     // Below, D is all but gone: kernels cut it at e^-87.
     if (largest < 1e-25) return;
     const double share = std::abs(a - b) / largest / allowed;
     if (share > worst_) worst_ = share, where_ = fmt::format("{}: {} and {}", where, a, b);
     ++count_;
+  }
+  /// A channel without reflectance of its own, (1 - c)^5, is compared in units of a millionth of the largest.
+  void add(const vec3& a, const vec3& b, double allowed, const std::string& where) {
+    const double least = 1e-6 * static_cast<double>(std::max({a.x, a.y, a.z}));
+    for (int k = 0; k < 3; ++k) add(a[k], b[k], allowed, least, where);
   }
   void expect(std::size_t least_count) const {
     EXPECT_LE(worst_, 1) << where_;
@@ -150,12 +195,14 @@ TEST_P(BsdfTest, values_are_those_of_the_reference) {
     const std::vector<BsdfValue> found = kernels.evaluate(pairs);
     const std::vector<BsdfValue> right = reference.evaluate(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const std::string where = describe(c, pairs[i].wo) +
-                                fmt::format(", wi ({}, {}, {})", pairs[i].wi.x, pairs[i].wi.y, pairs[i].wi.z);
+      const std::string where = describe(c, pairs[i]);
       EXPECT_TRUE(is_value(found[i])) << where;
-      const double allowed = 1e-5 * conditioning(c, pairs[i]);
-      for (int k = 0; k < 3; ++k) values.add(found[i].f[k], right[i].f[k], allowed, where + " value");
-      values.add(found[i].pdf, right[i].pdf, allowed, where + " density");
+      const double allowed = conditioning(c, pairs[i]).allowed();
+      values.add(found[i].f, right[i].f, allowed, where);
+      // A lobe's probability has 24 bits.
+      const double least =
+          0x1p-23 * std::abs(static_cast<double>(pairs[i].wi.z)) / (allowed * std::numbers::pi);
+      values.add(found[i].pdf, right[i].pdf, allowed, least, "density, " + where);
     }
     smooth = smooth || (!found.empty() && found[0].pdf == 0 && c.has_flag(shared::BSDF_DELTA));
   }
@@ -174,13 +221,10 @@ TEST_P(BsdfTest, values_are_reciprocal) {
     const std::vector<BsdfValue> there = kernels.evaluate(pairs);
     const std::vector<BsdfValue> back = kernels.evaluate(swapped);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const double eta2_o = std::pow(c.index_at(pairs[i].wo), 2);
-      const double eta2_i = std::pow(c.index_at(pairs[i].wi), 2);
-      for (int k = 0; k < 3; ++k) {
-        values.add(there[i].f[k] / eta2_o, back[i].f[k] / eta2_i, 2e-5 * conditioning(c, pairs[i]),
-                   describe(c, pairs[i].wo) +
-                       fmt::format(", wi ({}, {}, {})", pairs[i].wi.x, pairs[i].wi.y, pairs[i].wi.z));
-      }
+      const auto eta2_o = static_cast<float>(std::pow(c.index_at(pairs[i].wo), 2));
+      const auto eta2_i = static_cast<float>(std::pow(c.index_at(pairs[i].wi), 2));
+      const double allowed = conditioning(c, pairs[i]).allowed();
+      values.add(there[i].f / eta2_o, back[i].f / eta2_i, allowed, describe(c, pairs[i]));
     }
   }
   values.expect(0);
@@ -214,10 +258,10 @@ TEST_P(BsdfTest, weights_are_value_times_cosine_over_density) {
         if (d.weight == vec3(0) || d.pdf < 0) continue;
         EXPECT_NEAR(glm::length(dvec3(d.wi)), 1, 1e-6) << describe(c, wo);
         if (!(values[i].pdf > 1e-20F)) continue;
-        const double scale = std::abs(static_cast<double>(d.wi.z)) / values[i].pdf;
-        for (int k = 0; k < 3; ++k)
-          weights.add(d.weight[k], values[i].f[k] * scale, 1e-4 * conditioning(c, pairs[i]),
-                      describe(c, wo) + fmt::format(", sample {}", i));
+        // Seen from outside, the direction is rounded.
+        const Conditioning known = conditioning(c, pairs[i]);
+        weights.add(d.weight, values[i].f * (std::abs(d.wi.z) / values[i].pdf),
+                    known.allowed() + known.rounding, fmt::format("{}, sample {}", describe(c, pairs[i]), i));
       }
     }
   }
