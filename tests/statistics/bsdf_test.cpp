@@ -1,33 +1,15 @@
-// Every BSDF of the shared list, on the kernels: what they sample has the density that they say, gains no
-// energy and is reciprocal; values and weights are those of the reference in double. FACET_FULL_GRID in the
-// environment samples every direction.
+// Every BSDF of the shared list, on the kernels: what they sample has the density that they say, and gains no
+// energy. With FACET_FULL_GRID in the environment, seen from every direction.
 #include <cmath>
-#include <numbers>
 
-#include "reference/bsdf_evaluator.h"
-#include "render/bsdf_evaluator.h"
 #include "statistics/chi2_harness.h"
 #include "statistics/hypothesis.h"
-#include "support/bsdf_cases.h"
-#include "support/render.h"
+#include "support/bsdf_kernels.h"
 
 namespace facet::test {
 namespace {
 
 using statistics::BsdfDraw;
-using statistics::BsdfNumbers;
-using statistics::BsdfValue;
-using statistics::DirectionPair;
-
-gpu::Device& device() {
-  static gpu::Device device = make_device();
-  return device;
-}
-
-KernelBsdfEvaluator kernels_of(const BsdfCase& c) {
-  static BsdfKernels kernels(device());
-  return {kernels, c.bsdf, c.sampling};
-}
 
 /// Significance of one chi-squared test, so that all of the file err together with probability 0.01.
 double chi2_significance() {
@@ -36,14 +18,6 @@ double chi2_significance() {
     for (const BsdfCase& c : bsdf_cases(id)) tests += sampled_directions(c, view_directions(c).size()).size();
   }
   return statistics::sidak_significance(0.01, tests);
-}
-
-std::string describe(const BsdfCase& c, const vec3& wo) {
-  return fmt::format("{}, wo ({}, {}, {})", c.name, wo.x, wo.y, wo.z);
-}
-
-std::string describe(const BsdfCase& c, const DirectionPair& p) {
-  return fmt::format("{}, wi ({}, {}, {})", describe(c, p.wo), p.wi.x, p.wi.y, p.wi.z);
 }
 
 /// Largest mean weight that is no gain. Tables of albedos are interpolated; that of roughsubstrate from the
@@ -61,11 +35,6 @@ void expect_no_gain(const BsdfCase& c, const vec3& wo, const statistics::MeanWei
         << describe(c, wo) << ", channel " << k;
   }
 }
-
-class BsdfTest : public testing::TestWithParam<std::size_t> {
- protected:
-  void TearDown() override { expect_silent_validation(); }
-};
 
 TEST_P(BsdfTest, samples_have_their_density_and_gain_no_energy) {
   const double significance = chi2_significance();
@@ -95,181 +64,34 @@ TEST_P(BsdfTest, samples_have_their_density_and_gain_no_energy) {
               std::max({brightest.x, brightest.y, brightest.z}));
 }
 
-/// How well the value of a pair of directions can be known.
-struct Conditioning {
-  /// Of D: its exponent, or how far up the flank.
-  double slope = 1;
-  /// Beside the critical angle reflectance has an infinite slope, and what is refracted vanishes.
-  double reflectance = 1;
-  /// Relative change of D where a direction is rounded; where the products are that a refracted pair's half
-  /// vector is made of.
-  double rounding = 0;
-  double products = 0;
-
-  /// Relative difference that is allowed.
-  [[nodiscard]] double allowed() const { return 1e-5 * std::max(slope, reflectance) + products; }
-};
-
-/// Factor on relative errors beside the critical angle, where the squared cosine beyond is small but carries
-/// the rounding of unit vectors: F = 1 - k cos, k about 10.
-double beside_critical_angle(double cos2_beyond, bool reflects) {
-  return reflects ? 0.15 / std::sqrt(cos2_beyond) : 0.06 / cos2_beyond;
+/// Reflectance between dielectrics by the amplitudes, in double.
+double exact_fresnel(double cosine, double ratio) {
+  const double sin2 = (1 - cosine * cosine) * ratio * ratio;
+  if (sin2 >= 1) return 1;
+  const double beyond = std::sqrt(1 - sin2);
+  const double s = (ratio * cosine - beyond) / (ratio * cosine + beyond);
+  const double p = (cosine - ratio * beyond) / (cosine + ratio * beyond);
+  return 0.5 * (s * s + p * p);
 }
 
-Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
-  const bool reflects = (p.wo.z > 0) == (p.wi.z > 0);
-  const double eta_o = c.index_at(p.wo);
-  const double eta_i = c.index_at(reflects ? -p.wo : p.wi);
-  const dvec3 h = dvec3(p.wo) * (reflects ? 1 : eta_o) + dvec3(p.wi) * (reflects ? 1 : eta_i);
-  const double alpha = c.alpha();
-  const double tangent = std::sqrt(h.x * h.x + h.y * h.y) / std::abs(h.z);
-  Conditioning result;
-  result.slope = std::max(1.0, tangent * tangent / (alpha * alpha) / 10);
-  result.rounding = 2 * (1 + tangent / alpha) * (0x1p-23 / std::abs(h.z)) / alpha;
-  if (!reflects) result.products = result.rounding * std::abs(eta_i - eta_o);
-  // The critical angle is that of the denser side.
-  const bool o_is_denser = eta_o > eta_i;
-  if (eta_o == eta_i || (reflects && !o_is_denser)) return result;
-  const double ratio = o_is_denser ? eta_i / eta_o : eta_o / eta_i;
-  const double cosine = std::abs(glm::dot(dvec3(o_is_denser ? p.wo : p.wi), glm::normalize(h)));
-  const double cos2_beyond = std::abs(1 - (1 - cosine * cosine) / (ratio * ratio));
-  result.reflectance = beside_critical_angle(std::max(cos2_beyond, 1e-9), reflects);
-  return result;
-}
-
-/// Pairs to evaluate: samples, which lie in the lobes, and directions all over the sphere.
-std::vector<DirectionPair> pairs_of(const BsdfCase& c, KernelBsdfEvaluator& kernels) {
-  std::vector<DirectionPair> pairs;
-  const std::vector<vec3> directions = view_directions(c);
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    for (const BsdfDraw& draw :
-         kernels.sample(directions[d], 192, static_cast<std::uint32_t>(c.number + d))) {
-      if (draw.weight != vec3(0) && draw.pdf > 0) pairs.push_back({directions[d], draw.wi});
-    }
-    for (const vec3& wi : directions) pairs.push_back({directions[d], {wi.y, -wi.x, wi.z}});
-  }
-  return pairs;
-}
-
-bool is_value(const BsdfValue& v) {
-  return std::isfinite(v.pdf) && v.pdf >= 0 && std::isfinite(v.f.x + v.f.y + v.f.z) &&
-         glm::all(glm::greaterThanEqual(v.f, vec3(0)));
-}
-
-/// Relative difference in units of what is allowed.
-class Comparison {
- public:
-  /// least: what counts as nothing.
-  void add(double a, double b, double allowed, double least, const std::string& where) {
-    const double largest = std::max({std::abs(a), std::abs(b), least});
-    // Below, D is all but gone: kernels cut it at e^-87.
-    if (largest < 1e-25) return;
-    const double share = std::abs(a - b) / largest / allowed;
-    if (share > worst_) worst_ = share, where_ = fmt::format("{}: {} and {}", where, a, b);
-    ++count_;
-  }
-  /// A channel without reflectance of its own, (1 - c)^5, is compared in units of a millionth of the largest.
-  void add(const vec3& a, const vec3& b, double allowed, const std::string& where) {
-    const double least = 1e-6 * static_cast<double>(std::max({a.x, a.y, a.z}));
-    for (int k = 0; k < 3; ++k) add(a[k], b[k], allowed, least, where);
-  }
-  void expect(std::size_t least_count) const {
-    EXPECT_LE(worst_, 1) << where_;
-    EXPECT_GE(count_, least_count);
-    std::printf("worst difference %.3f of what is allowed, of %zu: %s\n", worst_, count_, where_.c_str());
-  }
-
- private:
-  double worst_ = 0;
-  std::size_t count_ = 0;
-  std::string where_;
-};
-
-TEST_P(BsdfTest, values_are_those_of_the_reference) {
-  Comparison values;
-  bool smooth = false;
-  for (const BsdfCase& c : bsdf_cases(GetParam())) {
-    KernelBsdfEvaluator kernels = kernels_of(c);
-    reference::ReferenceBsdfEvaluator<double> reference(c.bsdf, c.sampling);
-    const std::vector<DirectionPair> pairs = pairs_of(c, kernels);
-    const std::vector<BsdfValue> found = kernels.evaluate(pairs);
-    const std::vector<BsdfValue> right = reference.evaluate(pairs);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const std::string where = describe(c, pairs[i]);
-      EXPECT_TRUE(is_value(found[i])) << where;
-      const double allowed = conditioning(c, pairs[i]).allowed();
-      values.add(found[i].f, right[i].f, allowed, where);
-      // A lobe's probability has 24 bits.
-      const double least =
-          0x1p-23 * std::abs(static_cast<double>(pairs[i].wi.z)) / (allowed * std::numbers::pi);
-      values.add(found[i].pdf, right[i].pdf, allowed, least, "density, " + where);
-    }
-    smooth = smooth || (!found.empty() && found[0].pdf == 0 && c.has_flag(shared::BSDF_DELTA));
-  }
-  values.expect(smooth ? 0 : 1000);
-}
-
-TEST_P(BsdfTest, values_are_reciprocal) {
-  Comparison values;
-  for (const BsdfCase& c : bsdf_cases(GetParam())) {
-    // Compensation is by wo's albedo alone.
-    if (c.has_flag(shared::BSDF_MULTISCATTER)) continue;
-    KernelBsdfEvaluator kernels = kernels_of(c);
-    const std::vector<DirectionPair> pairs = pairs_of(c, kernels);
-    std::vector<DirectionPair> swapped;
-    for (const DirectionPair& p : pairs) swapped.push_back({p.wi, p.wo});
-    const std::vector<BsdfValue> there = kernels.evaluate(pairs);
-    const std::vector<BsdfValue> back = kernels.evaluate(swapped);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto eta2_o = static_cast<float>(std::pow(c.index_at(pairs[i].wo), 2));
-      const auto eta2_i = static_cast<float>(std::pow(c.index_at(pairs[i].wi), 2));
-      const double allowed = conditioning(c, pairs[i]).allowed();
-      values.add(there[i].f / eta2_o, back[i].f / eta2_i, allowed, describe(c, pairs[i]));
-    }
-  }
-  values.expect(0);
-}
-
-/// Every combination of the least, a middling and the largest number.
-std::vector<BsdfNumbers> extreme_numbers() {
-  std::vector<BsdfNumbers> numbers;
-  for (const float lobe : {0.0F, 0.5F, 1 - 0x1p-24F}) {
-    for (const float u : {0.0F, 0.5F, 1 - 0x1p-24F}) {
-      for (const float v : {0.0F, 0.5F, 1 - 0x1p-24F}) numbers.push_back({lobe, u, v});
-    }
-  }
-  return numbers;
-}
-
-TEST_P(BsdfTest, weights_are_value_times_cosine_over_density) {
-  Comparison weights;
-  const std::vector<BsdfNumbers> extremes = extreme_numbers();
-  for (const BsdfCase& c : bsdf_cases(GetParam())) {
+TEST(DeltaLobes, dielectric_reflects_as_often_as_fresnel_says) {
+  int tests = 0;
+  double least = 1;
+  for (const BsdfCase& c : bsdf_cases(Bsdf(bsdf::Dielectric{}).index())) {
     KernelBsdfEvaluator kernels = kernels_of(c);
     for (const vec3& wo : view_directions(c)) {
-      std::vector<BsdfDraw> draws = kernels.sample(wo, 512, static_cast<std::uint32_t>(c.number + 7));
-      for (const BsdfDraw& d : kernels.sample(wo, extremes)) draws.push_back(d);
-      std::vector<DirectionPair> pairs;
-      for (const BsdfDraw& d : draws) pairs.push_back({wo, d.wi});
-      const std::vector<BsdfValue> values = kernels.evaluate(pairs);
-      for (std::size_t i = 0; i < draws.size(); ++i) {
-        const BsdfDraw& d = draws[i];
-        ASSERT_TRUE(is_value({d.weight, std::max(d.pdf, 0.0F)})) << describe(c, wo) << ", sample " << i;
-        if (d.weight == vec3(0) || d.pdf < 0) continue;
-        EXPECT_NEAR(glm::length(dvec3(d.wi)), 1, 1e-6) << describe(c, wo);
-        if (!(values[i].pdf > 1e-20F)) continue;
-        // Seen from outside, the direction is rounded.
-        const Conditioning known = conditioning(c, pairs[i]);
-        weights.add(d.weight, values[i].f * (std::abs(d.wi.z) / values[i].pdf),
-                    known.allowed() + known.rounding, fmt::format("{}, sample {}", describe(c, pairs[i]), i));
+      const double f = exact_fresnel(std::abs(static_cast<double>(wo.z)), c.index_at(wo) / c.index_at(-wo));
+      constexpr std::uint32_t samples = 100'000;
+      double reflected = 0;
+      for (const BsdfDraw& d : kernels.sample(wo, samples, static_cast<std::uint32_t>(++tests))) {
+        if ((d.wi.z > 0) == (wo.z > 0)) ++reflected;
       }
+      const double deviation = std::sqrt(std::max(samples * f * (1 - f), 1.0));
+      least = std::min(least, statistics::normal_p_value((reflected - samples * f) / deviation));
     }
   }
-  weights.expect(0);
-}
-
-std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
-  return std::string(bsdf_type_names[info.param]);
+  EXPECT_GE(tests, 100);
+  EXPECT_GE(least, statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, BsdfTest, testing::Range<std::size_t>(0, bsdf_type_names.size()), name_of);
