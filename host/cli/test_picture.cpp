@@ -32,6 +32,8 @@ void write_histogram_picture(const std::filesystem::path& path, const statistics
   const int width = side * h.columns;
   const int panel = side * h.rows;
   Image image(width, 3 * panel + 2 * gap, {"R", "G", "B"});
+  // Gaps of a colour that no panel has.
+  std::fill_n(image.plane(1), width * image.height(), 0.5F);
   double most = 0;
   for (std::size_t i = 0; i < h.observed.size(); ++i) most = std::max({most, h.observed[i], h.expected[i]});
   for (int y = 0; y < panel; ++y) {

@@ -55,8 +55,9 @@ class Run {
         plan_image(scene.camera.width, scene.camera.height, static_cast<std::uint32_t>(t.sample_count));
     scene.camera.width = plan.width;
     scene.camera.height = plan.height;
-    // Points all over the image, each as likely as any other.
+    // Points all over the image, each as likely as any other and independent of the others.
     scene.camera.filter = BoxFilter{};
+    scene.sampler = Sampler::independent;
     RenderSettings settings;
     settings.crop = {0, 0, plan.width, plan.height};
     settings.end_sample = plan.passes;

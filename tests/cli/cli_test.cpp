@@ -166,9 +166,9 @@ TEST_F(CliTest, Devices) {
 TEST_F(CliTest, Info) {
   const Result result = run({"info", "scene.xml"});
   EXPECT_EQ(result.code, 0);
-  expect_words(result.out, {"16 x 16 pixels", "4 samples", "direct_mis", "meshes: 2, triangles: 4",
-                            "bsdfs: 2, emitters: 1", "floor.obj", "light.obj", "BVH", "device memory",
-                            "compiled for it"});
+  expect_words(result.out, {"16 x 16 pixels", "4 samples (independent)", "direct_mis",
+                            "meshes: 2, triangles: 4", "bsdfs: 2, textures: 0, emitters: 1", "floor.obj",
+                            "light.obj", "BVH", "device memory", "compiled for it"});
   EXPECT_EQ(result.err, "");
   expect_failure({"info"}, 2, {"scene file", "--supported"});
 }

@@ -91,7 +91,7 @@ void explain_rounding(const Subject& subject, std::uint32_t samples, std::map<De
 TEST_F(Explain, explains_all_that_rounding_does) {
   std::map<DecisionKind, int> found;
   explain_rounding(box_, 4, found);
-  explain_rounding({"serapis/serapis_rough_mis.xml", 120, 90}, 2, found);
+  explain_rounding({"serapis/serapis_rough_mis.xml", 120, 90}, 12, found);
   explain_rounding({"furnace/furnace_050.xml", 60, 60}, 4, found);
   for (const auto& [kind, count] : found) GTEST_LOG_(INFO) << decision_name(kind) << ": " << count;
   EXPECT_GE(found.size(), 2U) << "decisions of several kinds";

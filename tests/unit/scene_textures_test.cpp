@@ -181,7 +181,7 @@ TEST_F(SceneTexturesTest, AColourOfTheLabsTextureNameIsUnknown) {
   ASSERT_EQ(diagnostics_.warnings().size(), 1U);
   test::expect_message(diagnostics_.warnings()[0], test::place(folder_.file("scene.xml"), 4),
                        {"m_ka", "ignored"});
-  diagnostics_ = {};
+  diagnostics_ = Diagnostics(false);
 }
 
 TEST_F(SceneTexturesTest, ValuesOutOfRange) {

@@ -1,8 +1,9 @@
 // Test files: what they hold, and what is said about mistakes.
+#include "scene/test_reader.h"
+
 #include <gtest/gtest.h>
 
 #include "scene/reader.h"
-#include "scene/test_reader.h"
 #include "support/input.h"
 
 namespace facet {
@@ -27,8 +28,8 @@ class TestReaderTest : public ::testing::Test {
  protected:
   /// The content begins on line 2.
   StatisticalTest read(const std::string& type, const std::string& content, Diagnostics& diagnostics) const {
-    return read_test(
-        folder_.write("test.xml", "<test type=\"" + type + "\">\n" + content + "</test>"), diagnostics);
+    return read_test(folder_.write("test.xml", "<test type=\"" + type + "\">\n" + content + "</test>"),
+                     diagnostics);
   }
   StatisticalTest read(const std::string& type, const std::string& content) const {
     Diagnostics diagnostics;
@@ -74,8 +75,8 @@ TEST_F(TestReaderTest, PropertiesOfTheChiSquaredTest) {
 }
 
 TEST_F(TestReaderTest, ListsAreSplitAtBlanksAndCommas) {
-  const StatisticalTest test = read(
-      "ttest", angles + references("1, 2\n\t 3 ,4") + "<bsdf type=\"diffuse\"/><bsdf type=\"mirror\"/>");
+  const StatisticalTest test =
+      read("ttest", angles + references("1, 2\n\t 3 ,4") + "<bsdf type=\"diffuse\"/><bsdf type=\"mirror\"/>");
   const auto& t = std::get<TTest>(test.kind);
   EXPECT_EQ(t.angles, (std::vector<double>{0, 45}));
   EXPECT_EQ(t.references, (std::vector<double>{1, 2, 3, 4}));
@@ -86,10 +87,10 @@ TEST_F(TestReaderTest, ListsAreSplitAtBlanksAndCommas) {
 
 TEST_F(TestReaderTest, HoldsScenes) {
   folder_.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const StatisticalTest test =
-      read("ttest", references("1 2") + scene +
-                        "<scene><camera type=\"perspective\"/><integrator type=\"path\"/>"
-                        "<mesh type=\"obj\"><string name=\"filename\" value=\"triangle.obj\"/></mesh></scene>");
+  const StatisticalTest test = read(
+      "ttest", references("1 2") + scene +
+                   "<scene><camera type=\"perspective\"/><integrator type=\"path\"/>"
+                   "<mesh type=\"obj\"><string name=\"filename\" value=\"triangle.obj\"/></mesh></scene>");
   ASSERT_EQ(test.scenes.size(), 2U);
   EXPECT_EQ(test.scenes[0].scene.camera.width, 7);
   EXPECT_EQ(test.scenes[0].where.line, 3);
@@ -116,8 +117,7 @@ TEST_F(TestReaderTest, SubjectsMustFit) {
   expect_error("ttest", references("1") + "<scene>\n<camera type=\"perspective\"/></scene>", 3,
                {"no integrator"});
   expect_error("ttest", references("1") + "<scene>\n<integrator type=\"path\"/></scene>", 3, {"no camera"});
-  expect_error("chi2test",
-               "<bsdf type=\"diffuse\">\n<texture type=\"checker\" name=\"albedo\"/></bsdf>", 2,
+  expect_error("chi2test", "<bsdf type=\"diffuse\">\n<texture type=\"checker\" name=\"albedo\"/></bsdf>", 2,
                {"cannot have textures"});
   expect_error("chi2test", "<bsdf type=\"diffuse\"/>\n<camera type=\"perspective\"/>", 3,
                {"cannot hold a <camera>"});
