@@ -75,10 +75,12 @@ class Tracer {
     return hit;
   }
 
-  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by one of the weights.
+  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by one of the
+  /// weights.
   void nudge(Hit<Real>& hit) {
     const auto& v = world_.geometry.triangles[hit.triangle].vertices;
-    const Real edge = std::min({glm::length(v[1] - v[0]), glm::length(v[2] - v[1]), glm::length(v[0] - v[2])});
+    const Real edge =
+        std::min({glm::length(v[1] - v[0]), glm::length(v[2] - v[1]), glm::length(v[0] - v[2])});
     const Real ulps = std::max(Real(1), hit.t / edge);
     hit.b1 += (probe_.nudged(Real(1)) - 1) * ulps;
     hit.b2 += (probe_.nudged(Real(1)) - 1) * ulps;
