@@ -33,6 +33,10 @@ TEST_P(EachIntegrator, holds_under_area_lights_and_under_a_sky) {
     Scene scene = load_scene(name);
     shrink(scene, 60);
     set_integrator(scene, GetParam());
+    // The light of `simple` by default lies in a corner of the box, where whatever it lights hides it or not
+    // by rounding.
+    const Box box = scene.bounds();
+    scene.integrator.position = 0.5F * (box.lower + box.upper);
     expect_parity(scene, whole_image(scene, 4));
   }
 }
