@@ -27,11 +27,11 @@ struct InfoOptions {
 
 void print_supported() {
   for (const bool supported : {true, false}) {
-    fmt::print("{}:\n", supported ? "supported" : "not supported yet");
     std::map<std::string_view, std::vector<std::string_view>> by_tag;
     for (const PluginInfo& plugin : plugins()) {
       if (plugin.supported == supported) by_tag[plugin.tag].push_back(plugin.type);
     }
+    if (!by_tag.empty()) fmt::print("{}:\n", supported ? "supported" : "not supported yet");
     for (const auto& [tag, types] : by_tag) fmt::print("  {:<11} {}\n", tag, fmt::join(types, ", "));
   }
 }
