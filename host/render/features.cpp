@@ -8,12 +8,6 @@ namespace facet {
 
 namespace {
 
-enum BsdfId : std::uint32_t {
-#define FACET_ID(name, Type, id) BSDF_##name = id,
-  FACET_BSDF_LIST(FACET_ID)
-#undef FACET_ID
-};
-
 const std::vector<std::string>& emitter_names() {
 #define FACET_NAME(name, id) #name,
   static const std::vector<std::string> names{FACET_EMITTER_LIST(FACET_NAME)};
@@ -32,6 +26,7 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
         bsdf);
     f.bsdf_mask |= 1U << bsdf.index();
     f.bsdf_flags_some |= flags;
+    f.rough_bsdfs = f.rough_bsdfs || rough;
     // What does not know these flags does not care.
     f.bsdf_flags_all &= rough ? flags : flags | shared::BSDF_ROUGH_FLAGS;
   }
@@ -100,9 +95,8 @@ std::vector<std::string> Features::names() const {
 }
 
 void Features::add_bsdf_choices(std::vector<std::string>& list) const {
-  constexpr std::uint32_t smooth = 1U << BSDF_diffuse | 1U << BSDF_mirror | 1U << BSDF_dielectric;
   const auto some = [this](std::uint32_t flag) { return (bsdf_flags_some & flag) != 0; };
-  if ((bsdf_mask & ~smooth) != 0) {
+  if (rough_bsdfs) {
     list.emplace_back(visible_normals ? "visible-normal sampling" : "ndf sampling");
     if ((bsdf_flags_all & shared::BSDF_GGX) == 0) list.emplace_back("Beckmann distribution");
     if (some(shared::BSDF_GGX)) list.emplace_back("GGX distribution");

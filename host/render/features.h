@@ -16,6 +16,7 @@ struct Features {
   std::uint32_t bsdf_flags_some = 0;  ///< flags of shared/records.h that some BSDF has
   std::uint32_t bsdf_flags_all = 0;   ///< that all have; of flags for rough BSDFs: all rough ones
   std::uint32_t texture_kinds = 0;    ///< bit 0: checker, bit 1: textmap
+  bool rough_bsdfs = false;           ///< some BSDF has microfacets
   bool shading_normals = false;
   bool roulette = false;
   bool variance = false;

@@ -1,6 +1,7 @@
 // Guards against what the two renderers could share: numbers, and a density that is wrong in both.
 #include "image/z_test.h"
 #include "reference/renderer.h"
+#include "statistics/hypothesis.h"
 #include "support/parity.h"
 #include "support/scenes.h"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double significance = 0.01;
 
 double share_of_significance(std::size_t tests) {
-  return 1 - std::pow(1 - significance, 1.0 / static_cast<double>(tests));
+  return statistics::sidak_significance(significance, tests);
 }
 
 Image reference_image(const Scene& scene, const RenderSettings& settings) {

@@ -4,6 +4,7 @@
 
 #include "image/z_test.h"
 #include "scene/reader.h"
+#include "statistics/hypothesis.h"
 
 namespace facet::test {
 
@@ -78,7 +79,9 @@ void expect_mean(const Image& image, const Color& expected, double critical) {
   }
 }
 
-double critical_distance(int tests) { return two_sided_normal_quantile(1 - std::pow(1 - 0.01, 1.0 / tests)); }
+double critical_distance(int tests) {
+  return two_sided_normal_quantile(statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
+}
 
 Scene load_scene(const std::string& name) {
   Diagnostics diagnostics(true);
