@@ -26,14 +26,10 @@ struct InfoOptions {
 };
 
 void print_supported() {
-  for (const bool supported : {true, false}) {
-    std::map<std::string_view, std::vector<std::string_view>> by_tag;
-    for (const PluginInfo& plugin : plugins()) {
-      if (plugin.supported == supported) by_tag[plugin.tag].push_back(plugin.type);
-    }
-    if (!by_tag.empty()) fmt::print("{}:\n", supported ? "supported" : "not supported yet");
-    for (const auto& [tag, types] : by_tag) fmt::print("  {:<11} {}\n", tag, fmt::join(types, ", "));
-  }
+  std::map<std::string_view, std::vector<std::string_view>> by_tag;
+  for (const PluginInfo& plugin : plugins()) by_tag[plugin.tag].push_back(plugin.type);
+  fmt::print("supported:\n");
+  for (const auto& [tag, types] : by_tag) fmt::print("  {:<11} {}\n", tag, fmt::join(types, ", "));
 }
 
 void print_plugins(const std::string& name) {
@@ -126,8 +122,7 @@ void add_info_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Show what a scene holds and what will be compiled for it");
   command->add_option("scene", options->scene, "Scene file (XML)");
-  command->add_flag("--supported", options->supported,
-                    "List the plugins of the scene language, supported and not yet");
+  command->add_flag("--supported", options->supported, "List the plugins of the scene language");
   command
       ->add_option("--plugins", options->plugin,
                    "List the plugins in a line each, or print the manual of NAME")

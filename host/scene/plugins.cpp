@@ -14,19 +14,18 @@ namespace {
 
 std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
-      {"mesh", "obj", true},         {"camera", "perspective", true}, {"rfilter", "gaussian", true},
-      {"rfilter", "mitchell", true}, {"rfilter", "tent", true},       {"rfilter", "box", true},
-      {"texture", "textmap", true},  {"texture", "checker", true},    {"test", "ttest", true},
-      {"test", "chi2test", true},
+      {"mesh", "obj"},     {"camera", "perspective"}, {"rfilter", "gaussian"}, {"rfilter", "mitchell"},
+      {"rfilter", "tent"}, {"rfilter", "box"},        {"texture", "textmap"},  {"texture", "checker"},
+      {"test", "ttest"},   {"test", "chi2test"},
   };
-#define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, true});
+#define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name});
   FACET_BSDF_LIST(FACET_BSDF)
 #undef FACET_BSDF
-#define FACET_EMITTER(name, id) list.push_back({"emitter", #name, true});
+#define FACET_EMITTER(name, id) list.push_back({"emitter", #name});
   FACET_EMITTER_LIST(FACET_EMITTER)
 #undef FACET_EMITTER
-  for (const std::string_view name : sampler_names) list.push_back({"sampler", name, true});
-  for (const IntegratorType& type : integrator_types()) list.push_back({"integrator", type.name, true});
+  for (const std::string_view name : sampler_names) list.push_back({"sampler", name});
+  for (const IntegratorType& type : integrator_types()) list.push_back({"integrator", type.name});
   std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
   return list;
 }
@@ -39,11 +38,6 @@ const std::vector<PluginInfo>& plugins() {
 }
 
 void fail_unknown_type(const PropertyReader& properties, const std::string& tag) {
-  for (const PluginInfo& plugin : plugins()) {
-    if (plugin.tag == tag && plugin.type == properties.type()) {
-      throw InputError(properties.location(), fmt::format("{} is not supported yet", properties.title()));
-    }
-  }
   const std::string mend = did_you_mean(properties.type(), plugin_types(tag));
   throw InputError(properties.location(),
                    fmt::format("{} \"{}\": unknown type{}", tag, properties.type(), mend));

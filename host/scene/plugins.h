@@ -1,5 +1,5 @@
 #pragma once
-// Every plugin of the scene language, and which of them this version has.
+// Every plugin of the scene language.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,15 +11,14 @@ namespace facet {
 struct PluginInfo {
   std::string_view tag;   ///< mesh, bsdf, ...
   std::string_view type;  ///< the XML attribute
-  bool supported;
 };
 
 [[nodiscard]] const std::vector<PluginInfo>& plugins();
 
-/// Ends reading at a plugin that does not exist, or not yet.
+/// Ends reading at a plugin that does not exist.
 [[noreturn]] void fail_unknown_type(const PropertyReader& properties, const std::string& tag);
 
-/// Types of a tag, supported or not.
+/// Types of a tag.
 [[nodiscard]] std::vector<std::string> plugin_types(std::string_view tag);
 
 }  // namespace facet

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "image/files.h"
-#include "scene/plugins.h"
 #include "scene/reader.h"
 #include "support/input.h"
 
@@ -98,23 +97,6 @@ TEST_F(SceneErrorsTest, TagsAndTypes) {
   expect_mesh_error("<emitter type=\"aera\"/>", 4, {"unknown type", "did you mean \"area\"?"});
   expect_camera_error("<rfilter type=\"bx\"/>", {"rfilter", "did you mean \"box\"?"});
   expect_error("<scene>\n<camera type=\"perspectiv\"/></scene>", 2, {"did you mean \"perspective\"?"});
-}
-
-TEST_F(SceneErrorsTest, PluginsThatDoNotExistYetSaySo) {
-  for (const PluginInfo& plugin : plugins()) {
-    if (plugin.supported) continue;
-    const std::string name(plugin.type);
-    const std::string object = "<" + std::string(plugin.tag) + " type=\"" + name + "\" name=\"albedo\"/>";
-    SCOPED_TRACE(object);
-    if (plugin.tag == "bsdf") {
-      expect_mesh_error(object, 4, {"not supported yet", name.c_str()});
-    } else if (plugin.tag == "texture") {
-      expect_mesh_error("<bsdf type=\"diffuse\">\n" + object + "</bsdf>", 5,
-                        {"not supported yet", name.c_str()});
-    } else {
-      expect_body_error(object, 3, {"not supported yet", name.c_str()});
-    }
-  }
 }
 
 TEST_F(SceneErrorsTest, MediaAndTests) {
