@@ -24,21 +24,47 @@ class BsdfValues : public BsdfTest {};
 struct Conditioning {
   /// Of D: its exponent, or how far up the flank.
   double slope = 1;
-  /// Beside the critical angle reflectance has an infinite slope, and what is refracted vanishes.
-  double reflectance = 1;
+  /// Relative change of the share that is reflected or refracted where a cosine is rounded: beside the
+  /// critical angle reflectance has an infinite slope, and what is refracted vanishes.
+  double reflectance = 0;
   /// Relative change of D where a direction is rounded; where the products are that a refracted pair's half
   /// vector is made of.
   double rounding = 0;
   double products = 0;
 
   /// Relative difference that is allowed.
-  [[nodiscard]] double allowed() const { return 1e-5 * std::max(slope, reflectance) + products; }
+  [[nodiscard]] double allowed() const { return std::max(1e-5 * slope, reflectance) + products; }
 };
 
-/// Factor on relative errors beside the critical angle, where the squared cosine beyond is small but carries
-/// the rounding of unit vectors: F = 1 - k cos, k about 10.
-double beside_critical_angle(double cos2_beyond, bool reflects) {
-  return reflects ? 0.15 / std::sqrt(cos2_beyond) : 0.06 / cos2_beyond;
+/// Unpolarised reflectance by the cosines on both sides.
+double reflectance(double eta_i, double cos_i, double eta_t, double cos_t) {
+  const double s = (eta_i * cos_i - eta_t * cos_t) / (eta_i * cos_i + eta_t * cos_t);
+  const double p = (eta_t * cos_i - eta_i * cos_t) / (eta_t * cos_i + eta_i * cos_t);
+  return 0.5 * (s * s + p * p);
+}
+
+/// Largest relative change of what is reflected, or of what is refracted (the cosines times the share), by
+/// rounding: four roundings of a dot product of unit vectors, eight of the squared cosine beyond, each of at
+/// most the greater of 1 and the squared ratio.
+double change_by_rounding(double eta_i, double cos_i, double eta_t, bool reflects) {
+  if (eta_i == eta_t) return 0;
+  constexpr double rounding = 0x1p-24;
+  const double ratio2 = std::pow(eta_i / eta_t, 2);
+  const auto value = [&](double c_i, double cos2_error) {
+    const double c_t = std::sqrt(std::max(1 - ratio2 * (1 - c_i * c_i) + cos2_error, 0.0));
+    const double f = reflectance(eta_i, c_i, eta_t, c_t);
+    return reflects ? f : c_i * c_t * (1 - f);
+  };
+  const double exact = value(cos_i, 0);
+  double change = 0;
+  for (const double a : {-4, 4}) {
+    for (const double b : {-8, 8}) {
+      const double off =
+          value(std::clamp(cos_i + a * rounding, 0.0, 1.0), b * rounding * std::max(1.0, ratio2));
+      if (std::max(exact, off) > 0) change = std::max(change, std::abs(off - exact) / std::max(exact, off));
+    }
+  }
+  return change;
 }
 
 Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
@@ -52,13 +78,8 @@ Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
   result.slope = std::max(1.0, tangent * tangent / (alpha * alpha) / 10);
   result.rounding = 2 * (1 + tangent / alpha) * (0x1p-23 / std::abs(h.z)) / alpha;
   if (!reflects) result.products = result.rounding * std::abs(eta_i - eta_o);
-  // The critical angle is that of the denser side.
-  const bool o_is_denser = eta_o > eta_i;
-  if (eta_o == eta_i || (reflects && !o_is_denser)) return result;
-  const double ratio = o_is_denser ? eta_i / eta_o : eta_o / eta_i;
-  const double cosine = std::abs(glm::dot(dvec3(o_is_denser ? p.wo : p.wi), glm::normalize(h)));
-  const double cos2_beyond = std::abs(1 - (1 - cosine * cosine) / (ratio * ratio));
-  result.reflectance = beside_critical_angle(std::max(cos2_beyond, 1e-9), reflects);
+  const double cosine = std::abs(glm::dot(dvec3(p.wo), glm::normalize(h)));
+  result.reflectance = change_by_rounding(eta_o, cosine, reflects ? c.index_at(-p.wo) : eta_i, reflects);
   return result;
 }
 
@@ -148,7 +169,7 @@ TEST_P(BsdfValues, values_are_reciprocal) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto eta2_o = static_cast<float>(std::pow(c.index_at(pairs[i].wo), 2));
       const auto eta2_i = static_cast<float>(std::pow(c.index_at(pairs[i].wi), 2));
-      const double allowed = conditioning(c, pairs[i]).allowed();
+      const double allowed = conditioning(c, pairs[i]).allowed() + conditioning(c, swapped[i]).allowed();
       values.add(there[i].f / eta2_o, back[i].f / eta2_i, allowed, describe(c, pairs[i]));
     }
   }

@@ -90,7 +90,9 @@ class RoughDielectric {
       return {true, true, half.sum, half.cosine, jacobian_of_reflection(half.cosine)};
     }
     // Towards the thinner side, of the length eta_i wi.wh + eta_o wo.wh for the unit wh.
-    const Vec3<Real> sum = probe.nudged(interface_.outer * wo) + probe.nudged(interface_.inner * wi);
+    // outer wo + inner wi, which all but cancel where the indices are nearly equal, by their difference.
+    const Real bend = interface_.inner - interface_.outer;
+    const Vec3<Real> sum = probe.nudged(interface_.outer * (wo + wi)) + probe.nudged(bend * wi);
     const Vec3<Real> h = interface_.outer > interface_.inner ? sum : -sum;
     const Real length = std::sqrt(glm::dot(h, h));
     const Real o = glm::dot(wo, h) / length;
