@@ -91,6 +91,9 @@ case $command in
     sh "$root/cmake/second-driver.sh" --prepare >&2 || say "the test that compares two drivers will be skipped"
     cd "$root/build/release"
     [ $# -gt 0 ] || set -- -LE slow
+    # Tests wait for their driver half of the time.
+    CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+    export CTEST_PARALLEL_LEVEL
     exec ctest --output-on-failure "$@"
     ;;
   *) usage ;;

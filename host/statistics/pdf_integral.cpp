@@ -16,12 +16,19 @@ constexpr std::uint64_t most_evaluations = 8'000'000;
 struct Estimated {
   Cell cell;
   double mass = 0;
-  double peak = 0;  ///< largest density among its points
+  double peak = 0;    ///< largest density among its Gauss points
+  double corner = 0;  ///< and close to its corners
 };
 
-/// Whether some sample's density stands out: its peak lies between the points.
+double area_of(const Rectangle& a) { return (a.upper[0] - a.lower[0]) * (a.upper[1] - a.lower[1]); }
+
+/// Whether some density stands out: that of a sample, whose peak lies between the points, or that of a
+/// corner, where a density that ends with a step (GGX at grazing normals) reaches into the cell but to no
+/// Gauss point.
 bool has_missed_peak(const Estimated& e) {
-  return std::ranges::any_of(e.cell.pilots, [&](const Pilot& p) { return p.pdf > 4 * e.peak; });
+  const auto stands_out = [&](double pdf) { return pdf > 4 * e.peak; };
+  if (stands_out(e.corner) && e.corner * area_of(e.cell.area) > tolerance) return true;
+  return std::ranges::any_of(e.cell.pilots, [&](const Pilot& p) { return stands_out(p.pdf); });
 }
 
 std::array<Cell, 4> quarters(const Cell& cell) {
@@ -49,10 +56,10 @@ class Quadrature {
   Quadrature(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins)
       : evaluator_(evaluator), wo_(wo), bins_(bins) {}
 
-  /// Mass of every cell by three times three Gauss points.
+  /// Mass of every cell by three times three Gauss points, and a look at its corners.
   std::vector<Estimated> estimate(std::vector<Cell> cells) {
     std::vector<DirectionPair> pairs;
-    pairs.reserve(cells.size() * 9);
+    pairs.reserve(cells.size() * point_count);
     for (const Cell& cell : cells) add_points(cell.area, pairs);
     const std::vector<BsdfValue> values = evaluator_.evaluate(pairs);
     evaluations += values.size();
@@ -62,11 +69,14 @@ class Quadrature {
       double sum = 0;
       double peak = 0;
       for (std::size_t k = 0; k < 9; ++k) {
-        const double pdf = values[9 * i + k].pdf;
+        const double pdf = values[point_count * i + k].pdf;
         sum += weights[k / 3] * weights[k % 3] * pdf;
         peak = std::max(peak, pdf);
       }
-      result[i] = {std::move(cells[i]), sum * (a.upper[0] - a.lower[0]) * (a.upper[1] - a.lower[1]), peak};
+      double corner = 0;
+      for (std::size_t k = 9; k < point_count; ++k)
+        corner = std::max(corner, static_cast<double>(values[point_count * i + k].pdf));
+      result[i] = {std::move(cells[i]), sum * area_of(a), peak, corner};
     }
     return result;
   }
@@ -75,11 +85,19 @@ class Quadrature {
 
  private:
   static constexpr std::array<double, 3> weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
+  static constexpr std::size_t point_count = 9 + 4;
 
   void add_points(const Rectangle& a, std::vector<DirectionPair>& pairs) const {
-    static const std::array<double, 3> points{0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
-    for (const double x : points) {
-      for (const double y : points) {
+    static const std::array<double, 3> gauss{0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
+    // Not on the border, which may be the horizon.
+    static constexpr std::array<double, 2> corners{1e-3, 1 - 1e-3};
+    add_grid(a, gauss, pairs);
+    add_grid(a, corners, pairs);
+  }
+
+  void add_grid(const Rectangle& a, std::span<const double> shares, std::vector<DirectionPair>& pairs) const {
+    for (const double x : shares) {
+      for (const double y : shares) {
         const Coordinates c{a.side, a.lower[0] + x * (a.upper[0] - a.lower[0]),
                             a.lower[1] + y * (a.upper[1] - a.lower[1])};
         pairs.push_back({wo_, bins_.direction(c)});

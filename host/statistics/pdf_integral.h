@@ -12,8 +12,8 @@ struct PdfIntegral {
 };
 
 /// Adaptive quadrature: nine Gauss points a cell, against four times nine in its quarters; quarters take the
-/// place of cells that differ, and of cells whose pilot samples know a higher density than the points. Every
-/// round is one call of the evaluator.
+/// place of cells that differ, and of cells whose corners or pilot samples know a higher density than the
+/// points. Every round is one call of the evaluator.
 [[nodiscard]] PdfIntegral integrate_pdf(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins);
 
 }  // namespace facet::statistics
