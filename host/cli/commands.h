@@ -11,6 +11,7 @@ namespace facet::cli {
 using Action = std::function<ExitCode()>;
 
 void add_render_command(CLI::App& app, Action& action);
+void add_bench_command(CLI::App& app, Action& action);
 void add_parity_command(CLI::App& app, Action& action);
 void add_merge_command(CLI::App& app, Action& action);
 void add_test_command(CLI::App& app, Action& action);

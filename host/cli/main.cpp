@@ -16,7 +16,7 @@ namespace {
 const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
 /// Commands of the contract that are still to come.
-const std::vector<std::string> planned_commands{"bench", "tradeoff", "extremes"};
+const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
 
 int fail(const std::string& message, ExitCode code) {
   fmt::print(stderr, "facet: {}\n", message);
@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
   add_render_command(app, action);
   add_merge_command(app, action);
   add_compare_command(app, action);
+  add_bench_command(app, action);
   add_parity_command(app, action);
   add_test_command(app, action);
   add_info_command(app, action);

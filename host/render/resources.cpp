@@ -15,23 +15,6 @@ using Usage = vk::BufferUsageFlagBits;
 constexpr std::uint32_t slots_on_cpu = 1U << 18U;
 constexpr std::uint32_t slots_on_gpu = 1U << 20U;
 
-std::vector<vk::DescriptorType> binding_types(GeometryFetch fetch) {
-  std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
-  if (fetch == GeometryFetch::texel_buffer) {
-    types[shared::BINDING_NODES] = vk::DescriptorType::eUniformTexelBuffer;
-    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eUniformTexelBuffer;
-  }
-  return types;
-}
-
-GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed,
-                           const RenderSettings& settings) {
-  const std::size_t texels = std::max(packed.bvh.nodes.size() * 4, packed.triangles.size() * 3);
-  const bool fits = texels <= device.limits().maxTexelBufferElements;
-  return fits && !settings.force_storage_buffers ? GeometryFetch::texel_buffer
-                                                 : GeometryFetch::storage_buffer;
-}
-
 std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
@@ -60,48 +43,27 @@ shared::FrameRecord complete_frame(const PackedScene& packed, const Features& fe
   return frame;
 }
 
-/// A buffer with these records, refused where it is larger than the device can bind.
-template <typename Record>
-gpu::Buffer make_scene_buffer(gpu::Device& device, const std::vector<Record>& records,
-                              const std::string& what, bool texels = false) {
-  const std::uint64_t bytes = records.size() * sizeof(Record);
-  if (!texels && bytes > device.limits().maxStorageBufferRange) {
-    throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
-                                 device.info().name, device.limits().maxStorageBufferRange));
-  }
-  gpu::Buffer buffer(device, bytes, texels ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer, what);
-  if (records.empty()) {
-    buffer.clear();
-  } else {
-    buffer.upload(records);
-  }
-  return buffer;
-}
-
+/// What the kernels read beside the geometry, by binding from BINDING_NORMAL_INDICES on.
 std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p,
-                                            const Features& features, const RenderSettings& settings,
-                                            GeometryFetch fetch) {
-  const bool texels = fetch == GeometryFetch::texel_buffer;
+                                            const Features& features, const RenderSettings& settings) {
   const std::vector<shared::FrameRecord> frame{complete_frame(p, features, settings)};
-  std::vector<gpu::Buffer> buffers;  // in the order of the bindings
-  buffers.push_back(make_scene_buffer(device, p.bvh.nodes, "the BVH", texels));
-  buffers.push_back(make_scene_buffer(device, p.triangles, "the triangles", texels));
-  buffers.push_back(make_scene_buffer(device, p.normal_indices, "the normals' indices"));
-  buffers.push_back(make_scene_buffer(device, p.normals, "the normals"));
-  buffers.push_back(make_scene_buffer(device, p.meshes, "the meshes"));
-  buffers.push_back(make_scene_buffer(device, p.bsdfs, "the BSDFs"));
-  buffers.push_back(make_scene_buffer(device, p.emitters, "the emitters"));
-  buffers.push_back(make_scene_buffer(device, p.emitter_triangles, "the emitters' triangles"));
-  buffers.push_back(make_scene_buffer(device, p.environment.texels, "the environment map"));
-  buffers.push_back(make_scene_buffer(device, p.environment.rows, "the environment's rows"));
-  buffers.push_back(make_scene_buffer(device, p.environment.columns, "the environment's columns"));
-  buffers.push_back(make_scene_buffer(device, p.filter.quantiles, "the filter"));
-  buffers.push_back(make_scene_buffer(device, p.texcoord_indices, "the texture coordinates' indices"));
-  buffers.push_back(make_scene_buffer(device, p.texcoords, "the texture coordinates"));
-  buffers.push_back(make_scene_buffer(device, p.textures, "the textures"));
-  buffers.push_back(make_scene_buffer(device, p.texels, "the textures' images"));
-  buffers.push_back(make_scene_buffer(device, p.albedos, "the tables of albedos"));
-  buffers.push_back(make_scene_buffer(device, frame, "the frame"));
+  std::vector<gpu::Buffer> buffers;
+  buffers.push_back(make_record_buffer(device, p.normal_indices, "the normals' indices"));
+  buffers.push_back(make_record_buffer(device, p.normals, "the normals"));
+  buffers.push_back(make_record_buffer(device, p.meshes, "the meshes"));
+  buffers.push_back(make_record_buffer(device, p.bsdfs, "the BSDFs"));
+  buffers.push_back(make_record_buffer(device, p.emitters, "the emitters"));
+  buffers.push_back(make_record_buffer(device, p.emitter_triangles, "the emitters' triangles"));
+  buffers.push_back(make_record_buffer(device, p.environment.texels, "the environment map"));
+  buffers.push_back(make_record_buffer(device, p.environment.rows, "the environment's rows"));
+  buffers.push_back(make_record_buffer(device, p.environment.columns, "the environment's columns"));
+  buffers.push_back(make_record_buffer(device, p.filter.quantiles, "the filter"));
+  buffers.push_back(make_record_buffer(device, p.texcoord_indices, "the texture coordinates' indices"));
+  buffers.push_back(make_record_buffer(device, p.texcoords, "the texture coordinates"));
+  buffers.push_back(make_record_buffer(device, p.textures, "the textures"));
+  buffers.push_back(make_record_buffer(device, p.texels, "the textures' images"));
+  buffers.push_back(make_record_buffer(device, p.albedos, "the tables of albedos"));
+  buffers.push_back(make_record_buffer(device, frame, "the frame"));
   return buffers;
 }
 
@@ -122,7 +84,6 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
                                const RenderSettings& settings)
     : device_(device),
-      fetch_(choose_fetch(device, packed, settings)),
       shadow_rays_(features.integrator.type.emitter_sampling || features.integrator.type.name == "ao" ||
                    features.integrator.type.name == "simple"),
       rounds_(features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size()) : 1),
@@ -130,8 +91,9 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
       pixel_count_(crop_pixels(settings.crop)),
       slot_count_(choose_slots(device, settings,
                                std::uint64_t{pixel_count_} * (settings.end_sample - settings.first_sample))),
-      layout_(device, binding_types(fetch_), sizeof(shared::PassConstants)),
-      scene_(make_scene_buffers(device, packed, features, settings, fetch_)),
+      geometry_(device, packed, settings.force_storage_buffers),
+      layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
+      scene_(make_scene_buffers(device, packed, features, settings)),
       rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
       hits_(make_state(device, slot_count_, sizeof(shared::HitRecord))),
       paths_(make_state(device, slot_count_, sizeof(shared::PathRecord))),
@@ -144,8 +106,8 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
   const auto constants = features.constants(packed.bvh.stack_size);
   for (int k = 0; k < render_kernel_count; ++k) {
     const auto kernel = static_cast<Kernel>(k);
-    pipelines_.push_back(gpu::make_compute_pipeline(device, layout_, kernel_code(kernel, fetch_), constants,
-                                                    kernel_name(kernel)));
+    pipelines_.push_back(gpu::make_compute_pipeline(device, layout_, kernel_code(kernel, geometry_.fetch()),
+                                                    constants, kernel_name(kernel)));
   }
 }
 
@@ -165,14 +127,10 @@ void Renderer::Resources::make_film() {
 }
 
 void Renderer::Resources::bind_everything() {
-  if (fetch_ == GeometryFetch::texel_buffer) {
-    texel_views_.push_back(gpu::make_texel_view(device_, scene_[shared::BINDING_NODES]));
-    texel_views_.push_back(gpu::make_texel_view(device_, scene_[shared::BINDING_TRIANGLES]));
-  }
   std::vector<gpu::Binding> bindings(shared::BINDING_COUNT);
-  for (std::size_t i = 0; i < scene_.size(); ++i) bindings[i].buffer = &scene_[i];
-  for (std::size_t i = 0; i < texel_views_.size(); ++i)
-    bindings[shared::BINDING_NODES + i].view = &texel_views_[i];
+  geometry_.bind(bindings);
+  for (std::size_t i = 0; i < scene_.size(); ++i)
+    bindings[shared::BINDING_NORMAL_INDICES + i].buffer = &scene_[i];
   bindings[shared::BINDING_RAYS].buffer = &rays_;
   bindings[shared::BINDING_HITS].buffer = &hits_;
   bindings[shared::BINDING_PATHS].buffer = &paths_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/pipeline.h"
+#include "render/geometry_buffers.h"
 #include "render/kernels.h"
 #include "render/renderer.h"
 
@@ -56,26 +57,25 @@ struct Renderer::Resources {
   void bind_everything();
 
   gpu::Device& device_;
-  GeometryFetch fetch_;
   bool shadow_rays_;
   std::size_t rounds_;  ///< of shading a bounce: one for each emitter where all are sampled
   bool variance_;
   std::uint32_t pixel_count_;
   std::uint32_t slot_count_;
   std::vector<FilmPiece> pieces_;
+  GeometryBuffers geometry_;
   gpu::Layout layout_;
-  std::vector<gpu::Buffer> scene_;  ///< by binding, BINDING_NODES to BINDING_FRAME
+  std::vector<gpu::Buffer> scene_;  ///< by binding, BINDING_NORMAL_INDICES to BINDING_FRAME
   gpu::Buffer rays_;
   gpu::Buffer hits_;
   gpu::Buffer paths_;
   gpu::Buffer shadow_;
   gpu::Buffer queues_;
   gpu::Buffer counters_;
-  std::vector<gpu::Buffer> film_;                  ///< one a piece
-  std::vector<gpu::Buffer> squares_;               ///< likewise; a single dummy without variance
-  std::vector<vk::raii::BufferView> texel_views_;  ///< nodes, triangles
-  std::vector<gpu::BindingSet> sets_;              ///< one a piece
-  std::vector<vk::raii::Pipeline> pipelines_;      ///< by Kernel
+  std::vector<gpu::Buffer> film_;              ///< one a piece
+  std::vector<gpu::Buffer> squares_;           ///< likewise; a single dummy without variance
+  std::vector<gpu::BindingSet> sets_;          ///< one a piece
+  std::vector<vk::raii::Pipeline> pipelines_;  ///< by Kernel
 };
 
 }  // namespace facet

@@ -1,0 +1,142 @@
+#include "bench/mesh.h"
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "shared/random_hash.h"
+
+namespace facet::bench {
+
+namespace {
+
+/// Patches of the ball (two for each side of a cube) and of the floor; two triangles a cell.
+constexpr std::size_t ball_sides = 6;
+constexpr std::size_t floor_shares = 6;
+
+/// Random number of a lattice point in [-1, 1].
+double lattice(int x, int y, int z) {
+  const glm::uvec4 words = shared::pcg4d(
+      {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z), 0U});
+  return static_cast<double>(words.x) * 0x1p-31 - 1;
+}
+
+double smooth(double t) { return t * t * (3 - 2 * t); }
+
+/// Value noise: lattice values, interpolated.
+double noise(const dvec3& p) {
+  const dvec3 base = glm::floor(p);
+  const dvec3 t(smooth(p.x - base.x), smooth(p.y - base.y), smooth(p.z - base.z));
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2);
+    double weight = 1;
+    for (int a = 0; a < 3; ++a) weight *= offset[a] == 1 ? t[a] : 1 - t[a];
+    const glm::ivec3 at = glm::ivec3(base) + offset;
+    sum += weight * lattice(at.x, at.y, at.z);
+  }
+  return sum;
+}
+
+/// Noise of six octaves, folded into ridges.
+double folds(const dvec3& p) {
+  double sum = 0;
+  double amplitude = 1;
+  double frequency = 1;
+  for (int octave = 0; octave < 6; ++octave) {
+    sum += amplitude * (0.5 - std::abs(noise(frequency * p)));
+    amplitude *= 0.5;
+    frequency *= 2.03;
+  }
+  return sum;
+}
+
+/// A square of cells by cells quads, its vertices where `place` puts (u, v) of the unit square.
+template <typename Place>
+void add_patch(Mesh& mesh, std::size_t cells, const Place& place) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto row = static_cast<std::uint32_t>(cells + 1);
+  for (std::size_t j = 0; j <= cells; ++j) {
+    for (std::size_t i = 0; i <= cells; ++i) {
+      mesh.positions.emplace_back(place(static_cast<double>(i) / static_cast<double>(cells),
+                                        static_cast<double>(j) / static_cast<double>(cells)));
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < row; ++j) {
+    for (std::uint32_t i = 0; i + 1 < row; ++i) {
+      const std::uint32_t a = first + j * row + i;
+      mesh.position_indices.emplace_back(a, a + 1, a + row + 1);
+      mesh.position_indices.emplace_back(a, a + row + 1, a + row);
+    }
+  }
+}
+
+dvec3 cube_side(std::size_t side, double u, double v) {
+  const double x = std::tan((u - 0.5) * 1.5707963267948966);
+  const double y = std::tan((v - 0.5) * 1.5707963267948966);
+  const double sign = side % 2 == 0 ? 1 : -1;
+  switch (side / 2) {
+    case 0:
+      return {sign, sign * x, y};
+    case 1:
+      return {y, sign, sign * x};
+    default:
+      return {sign * x, y, sign};
+  }
+}
+
+Mesh make_body(std::size_t cells) {
+  Mesh mesh;
+  for (std::size_t side = 0; side < ball_sides; ++side) {
+    add_patch(mesh, cells, [&](double u, double v) {
+      const dvec3 d = glm::normalize(cube_side(side, u, v));
+      return d * (0.75 + 0.25 * folds(2.5 * d));
+    });
+  }
+  const auto floor_cells = static_cast<std::size_t>(
+      std::lround(static_cast<double>(cells) * std::sqrt(static_cast<double>(floor_shares))));
+  add_patch(mesh, floor_cells, [](double u, double v) {
+    const dvec3 p(8 * (u - 0.5), 0, 8 * (0.5 - v));
+    return p + dvec3(0, -1.15 + 0.15 * folds(0.8 * p + dvec3(7.5)), 0);
+  });
+  mesh.name = "body";
+  return mesh;
+}
+
+Mesh make_light() {
+  Mesh mesh;
+  mesh.positions = {{-1, 4, -1}, {1, 4, -1}, {1, 4, 1}, {-1, 4, 1}};
+  mesh.position_indices = {{0, 1, 2}, {0, 2, 3}};
+  mesh.name = "light";
+  mesh.emitter = 0;
+  return mesh;
+}
+
+}  // namespace
+
+Scene generate_scene(std::size_t triangles) {
+  Scene scene;
+  const double share = static_cast<double>(triangles) / (2 * (ball_sides + floor_shares));
+  const auto cells = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::sqrt(share))));
+  scene.meshes = {make_body(cells), make_light()};
+  scene.bsdfs = {bsdf::Diffuse{}};
+  scene.emitters = {AreaEmitter{1, Color(20)}};
+  scene.integrator.type = find_integrator_type("path_mis").value();
+  const dvec3 eye(2.4, 1.3, -3.1);
+  const dvec3 forward = glm::normalize(dvec3(0, -0.25, 0) - eye);
+  const dvec3 right = glm::normalize(glm::cross(dvec3(0, 1, 0), forward));
+  scene.camera.to_world = dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(forward, right), 0),
+                                glm::dvec4(forward, 0), glm::dvec4(eye, 1));
+  scene.camera.width = 512;
+  scene.camera.height = 512;
+  scene.camera.fov = 35;
+  return scene;
+}
+
+std::string generated_name(std::size_t triangles) {
+  if (triangles % 1'000'000 == 0) return fmt::format("generated-{}M", triangles / 1'000'000);
+  if (triangles % 1000 == 0) return fmt::format("generated-{}k", triangles / 1000);
+  return fmt::format("generated-{}", triangles);
+}
+
+}  // namespace facet::bench

@@ -1,0 +1,44 @@
+#include "render/geometry_buffers.h"
+
+#include <algorithm>
+
+namespace facet {
+
+namespace {
+
+GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, bool force_storage_buffers) {
+  const std::size_t texels = std::max(packed.bvh.nodes.size() * 4, packed.triangles.size() * 3);
+  const bool fits = texels <= device.limits().maxTexelBufferElements;
+  return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
+}
+
+}  // namespace
+
+GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers)
+    : fetch_(choose_fetch(device, packed, force_storage_buffers)),
+      nodes_(make_record_buffer(device, packed.bvh.nodes, "the BVH", fetch_ == GeometryFetch::texel_buffer)),
+      triangles_(make_record_buffer(device, packed.triangles, "the triangles",
+                                    fetch_ == GeometryFetch::texel_buffer)) {
+  if (fetch_ != GeometryFetch::texel_buffer) return;
+  views_.push_back(gpu::make_texel_view(device, nodes_));
+  views_.push_back(gpu::make_texel_view(device, triangles_));
+}
+
+std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
+  std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
+  if (fetch_ == GeometryFetch::texel_buffer) {
+    types[shared::BINDING_NODES] = vk::DescriptorType::eUniformTexelBuffer;
+    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eUniformTexelBuffer;
+  }
+  return types;
+}
+
+void GeometryBuffers::bind(std::vector<gpu::Binding>& bindings) const {
+  bindings[shared::BINDING_NODES].buffer = &nodes_;
+  bindings[shared::BINDING_TRIANGLES].buffer = &triangles_;
+  if (views_.empty()) return;
+  bindings[shared::BINDING_NODES].view = &views_[0];
+  bindings[shared::BINDING_TRIANGLES].view = &views_[1];
+}
+
+}  // namespace facet

@@ -1,0 +1,52 @@
+#pragma once
+// The BVH and the triangles on a device, as texel buffers or, where a device's are too small, as storage
+// buffers.
+#include <vector>
+
+#include "core/error.h"
+#include "gpu/pipeline.h"
+#include "render/kernels.h"
+#include "render/packed_scene.h"
+#include "shared/bindings.h"
+
+namespace facet {
+
+/// A storage or texel buffer with these records; throws InputError where it is larger than the device can
+/// bind.
+template <typename Record>
+gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& records,
+                               const std::string& what, bool texels = false) {
+  const std::uint64_t bytes = records.size() * sizeof(Record);
+  if (!texels && bytes > device.limits().maxStorageBufferRange) {
+    throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
+                                 device.info().name, device.limits().maxStorageBufferRange));
+  }
+  using Usage = vk::BufferUsageFlagBits;
+  gpu::Buffer buffer(device, bytes, texels ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer, what);
+  if (records.empty()) {
+    buffer.clear();
+  } else {
+    buffer.upload(records);
+  }
+  return buffer;
+}
+
+class GeometryBuffers {
+ public:
+  GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers);
+
+  [[nodiscard]] GeometryFetch fetch() const { return fetch_; }
+  [[nodiscard]] std::uint64_t bytes() const { return nodes_.size() + triangles_.size(); }
+  /// Of all bindings that the kernels of a render have.
+  [[nodiscard]] std::vector<vk::DescriptorType> binding_types() const;
+  /// Sets the two bindings; this must outlive what is bound.
+  void bind(std::vector<gpu::Binding>& bindings) const;
+
+ private:
+  GeometryFetch fetch_;
+  gpu::Buffer nodes_;
+  gpu::Buffer triangles_;
+  std::vector<vk::raii::BufferView> views_;  ///< of nodes and triangles, or none
+};
+
+}  // namespace facet

@@ -1,0 +1,51 @@
+#pragma once
+// Given rays through a packed scene's triangles, by the kernels that render: what benchmarks ask.
+#include <span>
+#include <vector>
+
+#include "render/geometry_buffers.h"
+
+namespace facet {
+
+class RayTracer {
+ public:
+  /// Uploads the geometry and compiles the kernels. At most most_rays can be traced at once. Throws
+  /// InputError if anything does not fit the device.
+  RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32_t most_rays);
+
+  /// The rays of the next calls.
+  void set_rays(std::span<const shared::RayRecord> rays);
+
+  /// Finds what every ray hits, or whether anything is in its way; returns the seconds from submission to
+  /// end.
+  double trace_closest();
+  double trace_any();
+
+  /// What the last call found, ray by ray.
+  [[nodiscard]] std::vector<shared::HitRecord> hits() const;
+  [[nodiscard]] std::vector<bool> occluded() const;
+
+  /// Of nodes and triangles on the device.
+  [[nodiscard]] std::uint64_t geometry_bytes() const { return geometry_.bytes(); }
+
+ private:
+  double run(const vk::raii::Pipeline& pipeline);
+  [[nodiscard]] std::vector<gpu::Binding> bindings() const;
+
+  gpu::Device& device_;
+  std::uint32_t ray_count_ = 0;
+  GeometryBuffers geometry_;
+  gpu::Layout layout_;
+  gpu::Buffer rays_;
+  gpu::Buffer hits_;
+  gpu::Buffer paths_;
+  gpu::Buffer shadow_rays_;
+  gpu::Buffer queues_;
+  gpu::Buffer counters_;
+  gpu::Buffer unused_;
+  gpu::BindingSet set_;
+  vk::raii::Pipeline closest_;
+  vk::raii::Pipeline any_;
+};
+
+}  // namespace facet
