@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <mutex>
 
 #include "core/parallel.h"
+#include "shared/records.h"
 
 namespace facet {
 
 namespace {
 
 constexpr std::size_t bin_count = 16;
-/// Depth from which nodes are halved by count, so that no input makes a tree too deep for the kernels' stack.
-constexpr int median_depth = 40;
+/// Levels at most: what cannot be halved by count in those that are left is not split otherwise, so that no
+/// input makes a tree too deep for the kernels' stack.
+constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
 constexpr std::size_t parallel_size = 1U << 16U;
 /// Cost of visiting a node, in triangle tests.
@@ -152,7 +155,8 @@ class Builder {
     };
     if (count == 1) return make_leaf();
     const BinScale scale(bounds.centres);
-    const Split best = depth < median_depth ? find_split(range, scale) : Split{};
+    const bool is_free = depth + static_cast<int>(std::bit_width(count)) < most_levels;
+    const Split best = is_free ? find_split(range, scale) : Split{};
     const float area = std::max(bounds.box.half_area(), std::numeric_limits<float>::min());
     if (count <= leaf_size && !(node_cost + best.cost / area < static_cast<float>(count))) return make_leaf();
     if (best.axis < 0) return split_by_count(range, bounds.centres, first);

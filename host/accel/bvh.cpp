@@ -29,7 +29,7 @@ class Collapser {
   Collapser(const std::vector<BinaryNode>& binary, std::vector<shared::BvhNode>& nodes)
       : binary_(binary), nodes_(nodes) {}
 
-  /// Node for binary node `root`, appended with its descendants; returns the stack that its traversal needs.
+  /// Node for binary node `root`, appended with its descendants; returns the number of levels.
   std::uint32_t collapse(std::uint32_t root) {
     const auto at = nodes_.size();
     nodes_.emplace_back();
@@ -49,7 +49,7 @@ class Collapser {
         deepest = std::max(deepest, collapse(children[c]));
       }
     }
-    return std::max(width, width - 1 + deepest);
+    return 1 + deepest;
   }
 
   /// Sum over nodes of half area, and over leaves of half area times triangles.
@@ -145,7 +145,7 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
     root.children = glm::uvec4(shared::REFERENCE_LEAF);
     root.lower = {0xffffffffU, 0xffffffffU, 0xffffffffU, 0};
     bvh.nodes.push_back(root);
-    bvh.stack_size = width + 2;
+    bvh.stack_size = 1;
     return bvh;
   }
   std::vector<BvhPrimitive> primitives = make_primitives(triangles);
@@ -153,8 +153,11 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   bvh.bounds = binary.front().box;
   bvh.nodes.reserve(binary.size() / 2);
   Collapser collapser(binary, bvh.nodes);
-  // One entry for the sentinel, one for the write of a child that is not hit.
-  bvh.stack_size = collapser.collapse(0) + 2;
+  bvh.stack_size = collapser.collapse(0);
+  if (bvh.nodes.size() > shared::LARGEST_NODE_COUNT) {
+    throw InputError(fmt::format("the BVH has {} nodes; at most {} are supported", bvh.nodes.size(),
+                                 shared::LARGEST_NODE_COUNT));
+  }
   bvh.nodes.shrink_to_fit();
   bvh.sah_cost = collapser.visit_cost() / std::max(1e-30, static_cast<double>(bvh.bounds.half_area()));
   bvh.order.resize(primitives.size());

@@ -17,7 +17,7 @@ using TriangleCorners = std::array<vec3, 3>;
 struct Bvh {
   std::vector<shared::BvhNode> nodes;  ///< the first is the root
   std::vector<std::uint32_t> order;    ///< triangle i of the leaves is order[i] of the input
-  std::uint32_t stack_size = 0;        ///< entries that a traversal needs at most
+  std::uint32_t stack_size = 0;        ///< levels of nodes: entries that a traversal needs at most
   Box bounds;
   double sah_cost = 0;  ///< expected node visits plus triangle tests of a random ray that hits the root's box
 };

@@ -18,10 +18,6 @@ uvec4 node_texel(uint i) { return texelFetch(node_texels, int(i)); }
 uvec4 triangle_texel(uint i) { return texelFetch(triangle_texels, int(i)); }
 #endif
 
-BvhNode fetch_node(uint i) {
-  return BvhNode(node_texel(4u * i), node_texel(4u * i + 1u), node_texel(4u * i + 2u), node_texel(4u * i + 3u));
-}
-
 TriangleRecord fetch_triangle(uint i) {
   return TriangleRecord(triangle_texel(3u * i), triangle_texel(3u * i + 1u), triangle_texel(3u * i + 2u));
 }
@@ -35,6 +31,7 @@ struct TraversalRay {
   float t_min;
   vec3 inverse;  // 1/direction, finite
   float t_max;
+  vec3 slack;    // |inverse| times the bound of relative errors of positions
   Frame across;  // s, t: unit vectors perpendicular to the ray; n: direction / |direction|^2
 };
 
@@ -52,34 +49,43 @@ TraversalRay traversal_ray(RayRecord r) {
   vec3 smallest = vec3(1.0e-15 * length);
   vec3 clamped = mix(max(d, smallest), min(d, -smallest), lessThan(d, vec3(0.0)));
   ray.inverse = vec3(1.0) / clamped;
+  ray.slack = abs(ray.inverse) * 1.90734863e-6;
   return ray;
 }
 
+/// a where it is less, or greater, and b otherwise, even where a is no number: one instruction, unlike min and max.
+vec4 lesser(vec4 a, vec4 b) { return mix(b, a, lessThan(a, b)); }
+vec4 greater(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
+
 vec4 unpack_bytes(uint w) { return vec4(uvec4(w, w >> 8u, w >> 16u, w >> 24u) & 255u); }
 
-/// Distance at which the ray enters each child of a node, LARGEST where it misses the child. Conservative: planes are
-/// moved outwards by a bound of all rounding errors of this test and of the triangle test, 2^-19 of the largest
-/// coordinate difference involved (after T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
-vec4 intersect_children(TraversalRay ray, BvhNode node, float t_max) {
-  uint e = node.origin_exponents.w;
+/// Distance at which the ray enters each child of node i, LARGEST where it misses the child. Conservative: planes are moved
+/// outwards by a bound of all rounding errors of this test and of the triangle test, 2^-19 of the coordinate differences
+/// involved (after T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); a plane that is no number is none.
+vec4 intersect_children(TraversalRay ray, uint i, float t_max) {
+  uvec4 origin_exponents = node_texel(4u * i);
+  uvec4 planes = node_texel(4u * i + 2u);
+  uvec2 more_planes = node_texel(4u * i + 3u).xy;
+  uint e = origin_exponents.w;
   vec3 scale = uintBitsToFloat(uvec3(e & 255u, (e >> 8u) & 255u, (e >> 16u) & 255u) << 23u);
-  vec3 base = uintBitsToFloat(node.origin_exponents.xyz) - ray.origin;
+  vec3 base = uintBitsToFloat(origin_exponents.xyz) - ray.origin;
   vec3 reach = abs(base) + 256.0 * scale;
-  float error = max(reach.x, max(reach.y, reach.z)) * 1.90734863e-6;
+  vec3 slack = (reach.x + reach.y + reach.z) * ray.slack;
   vec3 step = scale * ray.inverse;
   vec3 middle = base * ray.inverse;
-  vec3 slack = error * abs(ray.inverse);
   vec3 near_base = middle - slack;
   vec3 far_base = middle + slack;
-  uvec3 lower = node.lower.xyz;
-  uvec3 upper = uvec3(node.lower.w, node.upper.xy);
+  uvec3 lower = planes.xyz;
+  uvec3 upper = uvec3(planes.w, more_planes);
   bvec3 backwards = lessThan(ray.inverse, vec3(0.0));
   uvec3 near_planes = uvec3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
   uvec3 far_planes = uvec3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
-  vec4 t_near = max(max(unpack_bytes(near_planes.x) * step.x + near_base.x, unpack_bytes(near_planes.y) * step.y + near_base.y),
-                    max(unpack_bytes(near_planes.z) * step.z + near_base.z, vec4(ray.t_min)));
-  vec4 t_far = min(min(unpack_bytes(far_planes.x) * step.x + far_base.x, unpack_bytes(far_planes.y) * step.y + far_base.y),
-                   min(unpack_bytes(far_planes.z) * step.z + far_base.z, vec4(t_max)));
+  vec4 t_near = greater(unpack_bytes(near_planes.z) * step.z + near_base.z, vec4(ray.t_min));
+  t_near = greater(unpack_bytes(near_planes.y) * step.y + near_base.y, t_near);
+  t_near = greater(unpack_bytes(near_planes.x) * step.x + near_base.x, t_near);
+  vec4 t_far = lesser(unpack_bytes(far_planes.z) * step.z + far_base.z, vec4(t_max));
+  t_far = lesser(unpack_bytes(far_planes.y) * step.y + far_base.y, t_far);
+  t_far = lesser(unpack_bytes(far_planes.x) * step.x + far_base.x, t_far);
   return mix(vec4(LARGEST), t_near, lessThanEqual(t_near, t_far));
 }
 

@@ -9,7 +9,7 @@
 #include "../shared/sampler_list.h"
 
 /// Entries of the traversal stack: the tree's own worst case.
-layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = 64;
+layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = LARGEST_STACK_SIZE;
 /// Bit id: the scene has a BSDF or emitter of that id.
 layout(constant_id = SPEC_BSDF_MASK) const uint BSDF_MASK = 0xffffffffu;
 layout(constant_id = SPEC_EMITTER_MASK) const uint EMITTER_MASK = 0xffffffffu;

@@ -14,6 +14,9 @@ FACET_CONSTANT uint REFERENCE_LEAF = 0x80000000u;
 FACET_CONSTANT uint REFERENCE_COUNT_SHIFT = 28u;
 FACET_CONSTANT uint REFERENCE_COUNT_MASK = 7u;
 FACET_CONSTANT uint REFERENCE_FIRST_MASK = 0x0fffffffu;
+/// Levels of a tree, and nodes, that the stack of a traversal has bits for.
+FACET_CONSTANT uint LARGEST_STACK_SIZE = 32u;
+FACET_CONSTANT uint LARGEST_NODE_COUNT = 1u << 25u;
 /// The stack is empty (a leaf of seven triangles, which the builder never makes).
 FACET_CONSTANT uint REFERENCE_DONE = 0xffffffffu;
 
