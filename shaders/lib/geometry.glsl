@@ -80,13 +80,13 @@ vec4 intersect_children(TraversalRay ray, uint i, float t_max) {
   bvec3 backwards = lessThan(ray.inverse, vec3(0.0));
   uvec3 near_planes = uvec3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
   uvec3 far_planes = uvec3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
-  vec4 t_near = greater(unpack_bytes(near_planes.z) * step.z + near_base.z, vec4(ray.t_min));
-  t_near = greater(unpack_bytes(near_planes.y) * step.y + near_base.y, t_near);
-  t_near = greater(unpack_bytes(near_planes.x) * step.x + near_base.x, t_near);
-  vec4 t_far = lesser(unpack_bytes(far_planes.z) * step.z + far_base.z, vec4(t_max));
-  t_far = lesser(unpack_bytes(far_planes.y) * step.y + far_base.y, t_far);
-  t_far = lesser(unpack_bytes(far_planes.x) * step.x + far_base.x, t_far);
-  return mix(vec4(LARGEST), t_near, lessThanEqual(t_near, t_far));
+  ivec4 t_near = max(floatBitsToInt(unpack_bytes(near_planes.z) * step.z + near_base.z), ivec4(floatBitsToInt(ray.t_min)));
+  t_near = max(floatBitsToInt(unpack_bytes(near_planes.y) * step.y + near_base.y), t_near);
+  t_near = max(floatBitsToInt(unpack_bytes(near_planes.x) * step.x + near_base.x), t_near);
+  ivec4 t_far = min(floatBitsToInt(unpack_bytes(far_planes.z) * step.z + far_base.z), ivec4(floatBitsToInt(t_max)));
+  t_far = min(floatBitsToInt(unpack_bytes(far_planes.y) * step.y + far_base.y), t_far);
+  t_far = min(floatBitsToInt(unpack_bytes(far_planes.x) * step.x + far_base.x), t_far);
+  return mix(vec4(LARGEST), intBitsToFloat(t_near), lessThanEqual(t_near, t_far));
 }
 
 /// The ray against triangle i. Returns (t, b1, b2) and whether it is hit at t_min < t < t_max.
