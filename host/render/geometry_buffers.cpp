@@ -27,8 +27,8 @@ GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed,
 std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
   std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
   if (fetch_ == GeometryFetch::texel_buffer) {
-    types[shared::BINDING_NODES] = vk::DescriptorType::eUniformTexelBuffer;
-    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eUniformTexelBuffer;
+    types[shared::BINDING_NODES] = vk::DescriptorType::eStorageTexelBuffer;
+    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eStorageTexelBuffer;
   }
   return types;
 }

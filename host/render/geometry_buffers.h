@@ -22,7 +22,7 @@ gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& r
                                  device.info().name, device.limits().maxStorageBufferRange));
   }
   using Usage = vk::BufferUsageFlagBits;
-  gpu::Buffer buffer(device, bytes, texels ? Usage::eUniformTexelBuffer : Usage::eStorageBuffer, what);
+  gpu::Buffer buffer(device, bytes, texels ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer, what);
   if (records.empty()) {
     buffer.clear();
   } else {

@@ -1,5 +1,6 @@
 // Fetches of nodes and triangles, and the two tests of traversal. The one build variant of the kernels is here: texel
-// buffers (the fast load of lavapipe) or, where a device's are too small, storage buffers.
+// buffers, read as images (the fast load of lavapipe, inlined, unlike texelFetch), or, where a device's are too small, storage
+// buffers.
 #ifndef FACET_GEOMETRY_GLSL
 #define FACET_GEOMETRY_GLSL
 #include "../shared/bindings.h"
@@ -12,10 +13,10 @@ layout(std430, binding = BINDING_TRIANGLES) readonly buffer Triangles { uvec4 tr
 uvec4 node_texel(uint i) { return node_texels[i]; }
 uvec4 triangle_texel(uint i) { return triangle_texels[i]; }
 #else
-layout(binding = BINDING_NODES) uniform usamplerBuffer node_texels;
-layout(binding = BINDING_TRIANGLES) uniform usamplerBuffer triangle_texels;
-uvec4 node_texel(uint i) { return texelFetch(node_texels, int(i)); }
-uvec4 triangle_texel(uint i) { return texelFetch(triangle_texels, int(i)); }
+layout(binding = BINDING_NODES, rgba32ui) uniform readonly uimageBuffer node_texels;
+layout(binding = BINDING_TRIANGLES, rgba32ui) uniform readonly uimageBuffer triangle_texels;
+uvec4 node_texel(uint i) { return imageLoad(node_texels, int(i)); }
+uvec4 triangle_texel(uint i) { return imageLoad(triangle_texels, int(i)); }
 #endif
 
 TriangleRecord fetch_triangle(uint i) {
