@@ -2,13 +2,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "bench/mesh.h"
-#include "bench/traversal.h"
 #include "bench/yardstick.h"
 #include "cli/backend_options.h"
+#include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/text_file.h"
+#include "cli/warnings.h"
+#include "image/files.h"
+#include "scene/reader.h"
 
 namespace facet::cli {
 
@@ -16,10 +21,14 @@ namespace {
 
 struct BenchOptions {
   std::vector<std::string> scenes;
-  std::vector<std::string> meshes{"10k", "70k", "1M"};
+  std::vector<std::string> meshes;
+  std::uint32_t samples_per_pixel = 64;
   std::string device;
+  std::string json;
   bench::TraversalOptions traversal;
 };
+
+const std::vector<std::string> default_meshes{"10k", "70k", "1M"};
 
 /// "70k" is 70000.
 std::size_t parse_count(const std::string& text) {
@@ -28,68 +37,113 @@ std::size_t parse_count(const std::string& text) {
   try {
     value = std::stod(text, &end);
   } catch (const std::exception&) {
-    end = std::string::npos;
+    end = text.size();
+    value = 0;
   }
-  const std::string unit = end <= text.size() ? text.substr(end) : "?";
-  const double factor = unit == "k" ? 1e3 : unit == "M" ? 1e6 : unit.empty() ? 1 : 0;
-  value *= factor;
-  if (!(value >= 24 && value <= 1e8))
-    throw InputError(fmt::format("--mesh {}: a number of triangles from 24 to 100M, such as 70k", text));
+  const std::string unit = text.substr(end);
+  if (unit == "k") value *= 1e3;
+  if (unit == "M") value *= 1e6;
+  const bool known = unit.empty() || unit == "k" || unit == "M";
+  if (!known || !(value >= 24 && value <= 3e7))
+    throw InputError(
+        fmt::format("--mesh {}: wanted is a number of triangles from 24 to 30M, such as 70k", text));
   return static_cast<std::size_t>(std::llround(value));
 }
 
-std::string rate_text(const bench::Figure& f) {
-  return fmt::format("{:6.2f} ({:.2f}-{:.2f})", f.median, f.min, f.max);
-}
+class BenchJob {
+ public:
+  explicit BenchJob(const BenchOptions& options)
+      : options_(options), instance_(false), device_(instance_, instance_.choose(options.device)) {
+    report_.device = device_.info().name;
+    report_.driver = device_.info().driver;
+  }
 
-void print(const bench::TraversalResult& r) {
-  fmt::print("{}: {} triangles, BVH in {:.3f} s, {:.1f} bytes a triangle, SAH cost {:.1f}", r.mesh,
-             r.triangles, r.build.seconds,
-             static_cast<double>(r.build.bytes) / static_cast<double>(r.triangles), r.build.sah);
-  if (r.build.yardstick_seconds) {
-    fmt::print("; {}: {:.3f} s, {:.1f} bytes", bench::yardstick_name(), *r.build.yardstick_seconds,
-               static_cast<double>(*r.build.yardstick_bytes) / static_cast<double>(r.triangles));
+  ExitCode run() {
+    catch_interrupts();
+    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    std::vector<std::size_t> meshes;
+    for (const std::string& text : wanted_meshes()) meshes.push_back(parse_count(text));
+    std::vector<Scene> scenes;
+    for (const std::string& file : options_.scenes) scenes.push_back(load(file));
+    tell(fmt::format("{}, {}; {}\n", report_.device, report_.driver,
+                     bench::yardstick_name().empty()
+                         ? "no Embree to compare with (built without libembree-dev)"
+                         : "beside " + bench::yardstick_name()));
+    for (const std::size_t triangles : meshes) {
+      if (was_interrupted()) break;
+      trace(bench::generated_name(triangles), bench::generate_scene(triangles));
+    }
+    for (std::size_t i = 0; i < scenes.size() && !was_interrupted(); ++i) {
+      const std::string name = std::filesystem::path(options_.scenes[i]).stem().string();
+      trace(name, scenes[i]);
+      render(name, scenes[i]);
+    }
+    if (!options_.json.empty()) write_text(options_.json, json_report(report_) + '\n');
+    return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
   }
-  fmt::print("\n");
-  for (const bench::TraversalRow& row : r.rows) {
-    fmt::print("  {:8} {:7} rays  facet {}", row.kind, row.rays, rate_text(row.facet));
-    if (row.single)
-      fmt::print("  single {}  packets {}  ratio {:.2f}  equal {:.6f}", rate_text(*row.single),
-                 rate_text(*row.packets), row.ratio(), row.equal_hits);
-    fmt::print("\n");
-  }
-  std::fflush(stdout);
-}
 
-ExitCode run_bench(const BenchOptions& options) {
-  catch_interrupts();
-  const gpu::Instance instance(false);
-  gpu::Device device(instance, instance.choose(options.device));
-  for (const std::string& text : options.meshes) {
-    const std::size_t triangles = parse_count(text);
-    print(bench::measure_traversal(device, bench::generated_name(triangles), bench::generate_scene(triangles),
-                                   options.traversal));
-    if (was_interrupted()) return ExitCode::interrupted;
+ private:
+  [[nodiscard]] const std::vector<std::string>& wanted_meshes() const {
+    return options_.meshes.empty() && options_.scenes.empty() ? default_meshes : options_.meshes;
   }
-  return ExitCode::done;
-}
+
+  static Scene load(const std::string& file) {
+    Diagnostics diagnostics(false);
+    Scene scene = read_scene(file, diagnostics);
+    print_warnings(diagnostics);
+    return scene;
+  }
+
+  void trace(const std::string& name, Scene scene) {
+    if (scene.triangle_count() == 0) return;
+    report_.traversal.push_back(
+        bench::measure_traversal(device_, name, std::move(scene), options_.traversal));
+    tell(text_of(report_.traversal.back()));
+  }
+
+  void render(const std::string& name, const Scene& scene) {
+    report_.renders.push_back(bench::measure_render(device_, name, scene, options_.samples_per_pixel,
+                                                    std::max(1, options_.traversal.repeats / 2)));
+    tell(text_of(report_.renders.back()));
+  }
+
+  void tell(const std::string& text) const {
+    if (options_.json == "-") return;
+    fmt::print("{}", text);
+    std::fflush(stdout);
+  }
+
+  const BenchOptions& options_;
+  gpu::Instance instance_;
+  gpu::Device device_;
+  BenchReport report_;
+};
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench", "Measure rays and samples per second");
-  command->add_option("scenes", options->scenes, "Scene files to measure");
-  command->add_option("--mesh", options->meshes, "Generated meshes of so many triangles: 10k,70k,1M")
+  BenchOptions& o = *options;
+  CLI::App* command = app.add_subcommand(
+      "bench",
+      "Measure rays and samples per second: of generated meshes, or of scenes and meshes that are named");
+  command->add_option("scenes", o.scenes, "Scene files: rays through their meshes, then whole renders");
+  command
+      ->add_option("--mesh", o.meshes,
+                   "Generated meshes by their number of triangles; without scenes: 10k,70k,1M")
       ->delimiter(',');
-  command->add_option("--rays", options->traversal.rays, "Rays from the camera")
-      ->check(CLI::Range(1024, 1 << 20))
+  command->add_option("--rays", o.traversal.rays, "Rays from the camera, about")
+      ->check(CLI::Range(1U << 10U, 1U << 20U))
       ->capture_default_str();
-  command->add_option("--repeats", options->traversal.repeats, "Timed runs, whose median counts")
+  command->add_option("--repeats", o.traversal.repeats, "Timed runs of each; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  add_device_option(*command, options->device);
-  command->callback([options, &action] { action = [options] { return run_bench(*options); }; });
+  command->add_option("--spp", o.samples_per_pixel, "Samples a pixel of whole renders")
+      ->check(CLI::Range(1U, 1U << 20U))
+      ->capture_default_str();
+  add_device_option(*command, o.device);
+  command->add_option("--json", o.json, "Write a report to this file, - for standard output");
+  command->callback([options, &action] { action = [options] { return BenchJob(*options).run(); }; });
 }
 
 }  // namespace facet::cli

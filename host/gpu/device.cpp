@@ -35,6 +35,7 @@ Device::Device(const Instance& instance, DeviceInfo info)
       memory_(physical_.getMemoryProperties()),
       is_cpu_(physical_.getProperties().deviceType == vk::PhysicalDeviceType::eCpu),
       queue_family_(compute_queue_family(physical_)),
+      has_timestamps_(physical_.getQueueFamilyProperties()[queue_family_].timestampValidBits > 0),
       device_(make_device(physical_, queue_family_)),
       queue_(device_, queue_family_, 0),
       pool_(device_,

@@ -64,6 +64,9 @@ class Device {
   /// Whether this is a CPU in disguise: it wants small passes that fit into its caches.
   [[nodiscard]] bool is_cpu() const { return is_cpu_; }
 
+  /// Whether the queue can tell the time.
+  [[nodiscard]] bool has_timestamps() const { return has_timestamps_; }
+
   /// Index of a memory type with the properties, preferring those with `preferred` as well; throws
   /// DeviceError without one.
   [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags required,
@@ -85,6 +88,7 @@ class Device {
   vk::PhysicalDeviceMemoryProperties memory_;
   bool is_cpu_ = false;
   std::uint32_t queue_family_ = 0;
+  bool has_timestamps_ = false;
   vk::raii::Device device_;
   vk::raii::Queue queue_;
   vk::raii::CommandPool pool_;

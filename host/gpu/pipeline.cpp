@@ -83,8 +83,9 @@ void barrier(const vk::raii::CommandBuffer& commands) {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::MemoryBarrier all(Access::eShaderWrite | Access::eTransferWrite,
-                              Access::eShaderRead | Access::eShaderWrite | Access::eIndirectCommandRead |
-                                  Access::eTransferRead | Access::eTransferWrite | Access::eHostRead);
+                              Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead |
+                                  Access::eIndirectCommandRead | Access::eTransferRead |
+                                  Access::eTransferWrite | Access::eHostRead);
   commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer,
                            Stage::eComputeShader | Stage::eDrawIndirect | Stage::eTransfer | Stage::eHost, {},
                            all, {}, {});

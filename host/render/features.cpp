@@ -46,6 +46,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   const int limit = scene.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
+  f.negative_filter = ends_negative(scene.camera.filter);
   f.visible_normals = settings.sampling == LobeSampling::visible;
   // Without a single emitter there is nothing to sample.
   if (scene.emitters.empty()) f.integrator.type.emitter_sampling = false;
@@ -69,6 +70,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_BSDF_FLAGS_ALL] = bsdf_flags_all;
   c[shared::SPEC_TEXTURE_KINDS] = texture_kinds;
   c[shared::SPEC_EVERY_EMITTER] = integrator.type.every_emitter ? 1 : 0;
+  c[shared::SPEC_NEGATIVE_FILTER] = negative_filter ? 1 : 0;
   c[shared::SPEC_SAMPLER] = static_cast<std::uint32_t>(sampler);
   return c;
 }
@@ -91,6 +93,7 @@ std::vector<std::string> Features::names() const {
   if (sampler != Sampler::independent) list.push_back("sampler " + std::string(name_of(sampler)));
   if (shading_normals) list.emplace_back("vertex normals");
   if (variance) list.emplace_back("variance");
+  if (negative_filter) list.emplace_back("negative filter");
   return list;
 }
 

@@ -20,6 +20,7 @@ struct Features {
   bool shading_normals = false;
   bool roulette = false;
   bool variance = false;
+  bool negative_filter = false;  ///< the reconstruction filter is negative in parts
   bool visible_normals = true;
   Integrator integrator;
   Sampler sampler = Sampler::independent;

@@ -16,7 +16,7 @@ constexpr int fine_count = 1 << 16;
 double find_crossing(const Filter& filter, double radius) {
   double positive = 0;
   double negative = radius * (1 - 1e-6);
-  if (filter_value(filter, negative) >= 0) return 2 * radius;
+  if (!ends_negative(filter)) return 2 * radius;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (positive + negative);
     (filter_value(filter, middle) >= 0 ? positive : negative) = middle;

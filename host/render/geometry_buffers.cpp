@@ -12,13 +12,17 @@ GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed,
   return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
 }
 
+vk::BufferUsageFlagBits usage_of(GeometryFetch fetch) {
+  using Usage = vk::BufferUsageFlagBits;
+  return fetch == GeometryFetch::texel_buffer ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer;
+}
+
 }  // namespace
 
 GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers)
     : fetch_(choose_fetch(device, packed, force_storage_buffers)),
-      nodes_(make_record_buffer(device, packed.bvh.nodes, "the BVH", fetch_ == GeometryFetch::texel_buffer)),
-      triangles_(make_record_buffer(device, packed.triangles, "the triangles",
-                                    fetch_ == GeometryFetch::texel_buffer)) {
+      nodes_(make_record_buffer(device, packed.bvh.nodes, "the BVH", usage_of(fetch_))),
+      triangles_(make_record_buffer(device, packed.triangles, "the triangles", usage_of(fetch_))) {
   if (fetch_ != GeometryFetch::texel_buffer) return;
   views_.push_back(gpu::make_texel_view(device, nodes_));
   views_.push_back(gpu::make_texel_view(device, triangles_));
@@ -26,6 +30,7 @@ GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed,
 
 std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
   std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
+  types[shared::BINDING_FRAME] = vk::DescriptorType::eUniformBuffer;
   if (fetch_ == GeometryFetch::texel_buffer) {
     types[shared::BINDING_NODES] = vk::DescriptorType::eStorageTexelBuffer;
     types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eStorageTexelBuffer;

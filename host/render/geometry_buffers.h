@@ -11,18 +11,17 @@
 
 namespace facet {
 
-/// A storage or texel buffer with these records; throws InputError where it is larger than the device can
-/// bind.
+/// A buffer with these records; throws InputError where it is larger than the device can bind.
 template <typename Record>
 gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& records,
-                               const std::string& what, bool texels = false) {
+                               const std::string& what,
+                               vk::BufferUsageFlagBits usage = vk::BufferUsageFlagBits::eStorageBuffer) {
   const std::uint64_t bytes = records.size() * sizeof(Record);
-  if (!texels && bytes > device.limits().maxStorageBufferRange) {
+  if (usage == vk::BufferUsageFlagBits::eStorageBuffer && bytes > device.limits().maxStorageBufferRange) {
     throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
                                  device.info().name, device.limits().maxStorageBufferRange));
   }
-  using Usage = vk::BufferUsageFlagBits;
-  gpu::Buffer buffer(device, bytes, texels ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer, what);
+  gpu::Buffer buffer(device, bytes, usage, what);
   if (records.empty()) {
     buffer.clear();
   } else {

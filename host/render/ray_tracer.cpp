@@ -31,7 +31,8 @@ RayTracer::RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32
       shadow_rays_(make_state(device, most_rays, sizeof(shared::ShadowRayRecord))),
       queues_(make_state(device, std::uint64_t{most_rays} * 2, sizeof(std::uint32_t))),
       counters_(make_state(device, shared::COUNTER_WORDS, sizeof(std::uint32_t))),
-      unused_(make_state(device, 0, 0)),
+      unused_(device, sizeof(shared::FrameRecord),
+              vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eUniformBuffer, "nothing"),
       set_(device, layout_, bindings()),
       closest_(make_pipeline(device, layout_, Kernel::extend, geometry_.fetch(), packed.bvh.stack_size)),
       any_(make_pipeline(device, layout_, Kernel::shadow, geometry_.fetch(), packed.bvh.stack_size)) {

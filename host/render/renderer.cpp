@@ -10,9 +10,6 @@ namespace facet {
 
 namespace {
 
-/// Bounces recorded at a time where their number is not known beforehand.
-constexpr std::uint32_t bounces_per_submission = 8;
-
 /// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops that run
 /// too long.
 constexpr std::uint32_t samples_per_film_dispatch = 256;
@@ -105,10 +102,12 @@ void Renderer::run_wave(const Wave& wave) {
         limit == 0 ? bounce + bounces_per_submission : std::min(limit, bounce + bounces_per_submission);
     device_.run([&](const vk::raii::CommandBuffer& c) {
       r.bind(c, wave.film_piece);
+      r.start_clock(c);
       if (bounce == 0) {
         r.clear_counters(c, slots);
         r.dispatch(c, Kernel::generate, constants, workgroups(slots));
         gpu::barrier(c);
+        r.end_stage(c, Stage::generate);
       }
       for (; bounce < end; ++bounce) {
         constants.bounce = bounce;
@@ -116,17 +115,21 @@ void Renderer::run_wave(const Wave& wave) {
         r.record_bounce(c, constants);
       }
     });
+    r.read_clock(statistics_.stage_seconds);
     more = bounce != limit && r.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
   }
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, wave.film_piece);
+    r.start_clock(c);
     for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
       constants.film_begin = k;
       constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
       r.dispatch(c, Kernel::film, constants, workgroups(constants.pixel_count));
       gpu::barrier(c);
     }
+    r.end_stage(c, Stage::film);
   });
+  r.read_clock(statistics_.stage_seconds);
   const auto counters = r.read_counters();
   statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
   statistics_.any_rays += counters[shared::COUNTER_ANY_RAYS];

@@ -63,7 +63,7 @@ std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedSce
   buffers.push_back(make_record_buffer(device, p.textures, "the textures"));
   buffers.push_back(make_record_buffer(device, p.texels, "the textures' images"));
   buffers.push_back(make_record_buffer(device, p.albedos, "the tables of albedos"));
-  buffers.push_back(make_record_buffer(device, frame, "the frame"));
+  buffers.push_back(make_record_buffer(device, frame, "the frame", Usage::eUniformBuffer));
   return buffers;
 }
 
@@ -103,6 +103,10 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
                 Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters") {
   make_film();
   bind_everything();
+  if (settings.time_stages) {
+    const std::size_t marks_of_bounce = 1 + 2 * rounds_;
+    stopwatch_.emplace(device, static_cast<std::uint32_t>(1 + marks_of_bounce * bounces_per_submission));
+  }
   const auto constants = features.constants(packed.bvh.stack_size);
   for (int k = 0; k < render_kernel_count; ++k) {
     const auto kernel = static_cast<Kernel>(k);
@@ -174,13 +178,26 @@ void Renderer::Resources::clear_counters(const vk::raii::CommandBuffer& c, std::
   gpu::barrier(c);
 }
 
+void Renderer::Resources::start_clock(const vk::raii::CommandBuffer& c) {
+  if (stopwatch_) stopwatch_->start(c);
+}
+
+void Renderer::Resources::end_stage(const vk::raii::CommandBuffer& c, Stage stage) {
+  if (stopwatch_) stopwatch_->mark(c, static_cast<std::size_t>(stage));
+}
+
+void Renderer::Resources::read_clock(std::span<double> seconds) {
+  if (stopwatch_) stopwatch_->collect(seconds);
+}
+
 void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
-                                        const shared::PassConstants& constants) const {
+                                        const shared::PassConstants& constants) {
   shared::PassConstants stage = constants;
   dispatch(c, Kernel::schedule, stage, 1);
   gpu::barrier(c);
   dispatch_indirect(c, Kernel::extend, constants, shared::INDIRECT_PATHS);
   gpu::barrier(c);
+  end_stage(c, Stage::extend);
   for (std::uint32_t emitter = 0; emitter < rounds_; ++emitter) {
     stage.emitter = emitter;
     if (emitter > 0) {
@@ -190,12 +207,14 @@ void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
     }
     dispatch_indirect(c, Kernel::shade, stage, shared::INDIRECT_PATHS);
     gpu::barrier(c);
+    end_stage(c, Stage::shade);
     if (!shadow_rays_) continue;
     stage.stage = 1;
     dispatch(c, Kernel::schedule, stage, 1);
     gpu::barrier(c);
     dispatch_indirect(c, Kernel::shadow, constants, shared::INDIRECT_SHADOW);
     gpu::barrier(c);
+    end_stage(c, Stage::shadow);
   }
 }
 

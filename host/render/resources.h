@@ -1,15 +1,21 @@
 #pragma once
 // Everything a render keeps on the device: buffers, bindings, pipelines.
 #include <array>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "gpu/pipeline.h"
+#include "gpu/stopwatch.h"
 #include "render/geometry_buffers.h"
 #include "render/kernels.h"
 #include "render/renderer.h"
 
 namespace facet {
+
+/// Bounces recorded at a time at most.
+inline constexpr std::uint32_t bounces_per_submission = 8;
 
 /// A contiguous part of the film, as large as a device's storage buffers may be.
 struct FilmPiece {
@@ -35,7 +41,12 @@ struct Renderer::Resources {
   /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
   void clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const;
   /// extend, shade and shadow, sized by their queues.
-  void record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants) const;
+  void record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
+
+  /// Where stages are timed: begins a submission; ends a stage of it; adds up what a finished one took.
+  void start_clock(const vk::raii::CommandBuffer& c);
+  void end_stage(const vk::raii::CommandBuffer& c, Stage stage);
+  void read_clock(std::span<double> seconds);
 
   [[nodiscard]] vk::Buffer counters() const { return counters_.handle(); }
   [[nodiscard]] std::array<std::uint32_t, shared::COUNTER_WORDS> read_counters() const;
@@ -76,6 +87,7 @@ struct Renderer::Resources {
   std::vector<gpu::Buffer> squares_;           ///< likewise; a single dummy without variance
   std::vector<gpu::BindingSet> sets_;          ///< one a piece
   std::vector<vk::raii::Pipeline> pipelines_;  ///< by Kernel
+  std::optional<gpu::Stopwatch> stopwatch_;
 };
 
 }  // namespace facet

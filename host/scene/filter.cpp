@@ -54,6 +54,10 @@ double filter_value(const Filter& filter, double x) {
   return std::visit([x](const auto& f) { return value(f, x); }, filter);
 }
 
+bool ends_negative(const Filter& filter) {
+  return filter_value(filter, filter_radius(filter) * (1 - 1e-6)) < 0;
+}
+
 std::string describe(const Filter& filter) {
   return std::visit([](const auto& f) { return text(f); }, filter);
 }

@@ -47,6 +47,9 @@ using Filter = std::variant<GaussianFilter, MitchellFilter, TentFilter, BoxFilte
 /// Value at x pixels from the centre; not normalised.
 [[nodiscard]] double filter_value(const Filter& filter, double x);
 
+/// Whether the filter is negative where it ends.
+[[nodiscard]] bool ends_negative(const Filter& filter);
+
 /// "mitchell, radius 2, B 0.5, C 0.25": all there is to a filter, for people and for comparisons.
 [[nodiscard]] std::string describe(const Filter& filter);
 

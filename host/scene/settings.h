@@ -29,6 +29,8 @@ struct RenderSettings {
   bool force_storage_buffers = false;
   /// Paths in flight, 0: chosen for the device; for tests and measurements.
   std::uint32_t paths_in_flight = 0;
+  /// Measure the seconds of each stage.
+  bool time_stages = false;
 };
 
 }  // namespace facet

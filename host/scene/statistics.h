@@ -1,9 +1,15 @@
 #pragma once
 // What a render counts and tells while it runs, whatever renders.
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
 namespace facet {
+
+/// What the device works on, pass by pass.
+enum class Stage : std::size_t { generate, extend, shade, shadow, film };
+inline constexpr std::array<std::string_view, 5> stage_names{"generate", "extend", "shade", "shadow", "film"};
 
 struct RenderStatistics {
   std::uint64_t closest_rays = 0;
@@ -13,6 +19,7 @@ struct RenderStatistics {
   std::uint64_t bound_hits = 0;   ///< traversals stopped by their bound
   double compile_seconds = 0;     ///< of the kernels, by us and by the driver
   double render_seconds = 0;
+  std::array<double, stage_names.size()> stage_seconds{};  ///< where RenderSettings::time_stages asks for them
   std::uint64_t device_bytes = 0;
 };
 

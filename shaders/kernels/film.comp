@@ -21,8 +21,7 @@ void main() {
     uint slot = local + k * pass_constants.pixel_count;
     vec3 radiance = paths[slot].radiance.rgb;
     bool good = is_good_sample(radiance);
-    vec2 offset = filter_offset(slot_sample(slot));
-    vec3 value = radiance * (filter_weight(offset.x) * filter_weight(offset.y));
+    vec3 value = radiance * sample_weight(slot);
     if (good) add_sample(sums, value);
     if (VARIANCE && good) add_square(squares, value * frame.square_scale);
     bad += good ? 0u : 1u;

@@ -23,7 +23,8 @@ layout(std430, binding = BINDING_TEXCOORDS) readonly buffer Texcoords { vec2 tex
 layout(std430, binding = BINDING_TEXTURES) readonly buffer Textures { TextureRecord textures[]; };
 layout(std430, binding = BINDING_TEXELS) readonly buffer Texels { uint texels[]; };
 layout(std430, binding = BINDING_ALBEDOS) readonly buffer Albedos { float albedos[]; };
-layout(std430, binding = BINDING_FRAME) readonly buffer FrameBuffer { FrameRecord frame; };
+// A uniform buffer: the one kind that lavapipe reads once for all lanes.
+layout(std140, binding = BINDING_FRAME) uniform FrameBuffer { FrameRecord frame; };
 layout(std430, binding = BINDING_RAYS) buffer Rays { RayRecord rays[]; };
 layout(std430, binding = BINDING_HITS) buffer Hits { HitRecord hits[]; };
 layout(std430, binding = BINDING_PATHS) buffer Paths { PathRecord paths[]; };

@@ -29,6 +29,13 @@ vec2 filter_offset(SampleId id) {
   return vec2(sample_filter(unit_float(bits[CAMERA_FILTER_X])), sample_filter(unit_float(bits[CAMERA_FILTER_Y])));
 }
 
+/// Weight of a slot's sample: that of its offset, which is the same everywhere unless the filter is negative in parts.
+float sample_weight(uint slot) {
+  if (!NEGATIVE_FILTER) return frame.filter_scale * frame.filter_scale;
+  vec2 offset = filter_offset(slot_sample(slot));
+  return filter_weight(offset.x) * filter_weight(offset.y);
+}
+
 RayRecord camera_ray(uvec2 pixel, vec2 offset) {
   vec2 at = vec2(pixel) + vec2(0.5) + offset;
   vec3 d = frame.camera_corner.xyz + at.x * frame.camera_dx.xyz + at.y * frame.camera_dy.xyz;

@@ -35,6 +35,8 @@ layout(constant_id = SPEC_TEXTURE_KINDS) const uint TEXTURE_KINDS = 3;
 layout(constant_id = SPEC_EVERY_EMITTER) const bool EVERY_EMITTER = false;
 /// Where random numbers come from, id of FACET_SAMPLER_LIST.
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = 0;
+/// The reconstruction filter is negative in parts.
+layout(constant_id = SPEC_NEGATIVE_FILTER) const bool NEGATIVE_FILTER = true;
 /// Sums of squares are kept.
 layout(constant_id = SPEC_VARIANCE) const bool VARIANCE = true;
 

@@ -1,0 +1,29 @@
+#pragma once
+// How fast whole scenes render, and what goes before.
+#include <array>
+#include <string>
+
+#include "bench/figure.h"
+#include "gpu/device.h"
+#include "scene/scene.h"
+#include "scene/statistics.h"
+
+namespace facet::bench {
+
+struct RenderRow {
+  std::string scene;
+  std::string integrator;
+  std::uint32_t samples_per_pixel = 0;
+  Figure samples_per_second;
+  double rays_per_second = 0;  ///< of the median run
+  double compile_seconds = 0;  ///< of kernels, by us and by the driver, in the first run
+  double startup_seconds = 0;  ///< packing, uploading and compiling, in the first run
+  std::uint64_t device_bytes = 0;
+  std::array<double, stage_names.size()> stage_shares{};  ///< of the device's time; all 0 without timestamps
+};
+
+/// Renders the scene `repeats` times at its own size. Throws InputError where it does not fit the device.
+[[nodiscard]] RenderRow measure_render(gpu::Device& device, const std::string& name, const Scene& scene,
+                                       std::uint32_t samples_per_pixel, int repeats);
+
+}  // namespace facet::bench

@@ -1,0 +1,26 @@
+#pragma once
+// What `facet bench` measured: lines for people, and JSON.
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/traversal.h"
+#include "bench/whole_render.h"
+
+namespace facet::cli {
+
+struct BenchReport {
+  std::string device;
+  std::string driver;
+  std::vector<bench::TraversalResult> traversal;
+  std::vector<bench::RenderRow> renders;
+};
+
+/// Several lines each, the last one ended.
+[[nodiscard]] std::string text_of(const bench::TraversalResult& result);
+[[nodiscard]] std::string text_of(const bench::RenderRow& row);
+
+/// {"device", "driver", "threads", "yardstick", "traversal", "build", "render"}: rays in millions a second.
+[[nodiscard]] std::string json_report(const BenchReport& report);
+
+}  // namespace facet::cli

@@ -1,0 +1,198 @@
+// What traversal costs, counted instead of timed: a tree that grows worse, or a kernel that grows, fails here
+// on any machine.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "accel/bvh.h"
+#include "bench/mesh.h"
+#include "render/packed_scene.h"
+#include "support/spirv.h"
+
+namespace facet::test {
+namespace {
+
+struct Ray {
+  dvec3 origin;
+  dvec3 direction;
+};
+
+struct Hit {
+  double t = 1e300;
+  std::uint32_t triangle = none;
+};
+
+/// Visits of one ray.
+struct Counts {
+  double nodes = 0;
+  double triangles = 0;
+};
+
+dvec3 corner(const glm::uvec4& texel) {
+  return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y), std::bit_cast<float>(texel.z)};
+}
+
+/// Walks the tree as the kernels do, nearest children first, in double.
+class Walk {
+ public:
+  Walk(const PackedScene& packed, const Ray& ray) : packed_(packed), ray_(ray) { visit(0); }
+
+  Hit hit;
+  Counts counts;
+
+ private:
+  struct Child {
+    double t;
+    std::uint32_t reference;
+  };
+
+  void visit(std::uint32_t reference) {
+    if ((reference & shared::REFERENCE_LEAF) != 0) return visit_leaf(reference);
+    ++counts.nodes;
+    std::vector<Child> children = children_met(packed_.bvh.nodes[reference]);
+    std::ranges::sort(children, {}, &Child::t);
+    for (const Child& c : children) visit(c.reference);
+  }
+
+  void visit_leaf(std::uint32_t reference) {
+    const std::uint32_t count = reference >> shared::REFERENCE_COUNT_SHIFT & shared::REFERENCE_COUNT_MASK;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      ++counts.triangles;
+      intersect((reference & shared::REFERENCE_FIRST_MASK) + k);
+    }
+  }
+
+  /// T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+  void intersect(std::uint32_t triangle) {
+    const shared::TriangleRecord& r = packed_.triangles[triangle];
+    const dvec3 a = corner(r.v0);
+    const dvec3 e1 = corner(r.v1) - a;
+    const dvec3 e2 = corner(r.v2) - a;
+    const dvec3 p = glm::cross(ray_.direction, e2);
+    const double det = glm::dot(e1, p);
+    const double u = glm::dot(ray_.origin - a, p) / det;
+    const dvec3 q = glm::cross(ray_.origin - a, e1);
+    const double v = glm::dot(ray_.direction, q) / det;
+    const double t = glm::dot(e2, q) / det;
+    if (u >= 0 && v >= 0 && u + v <= 1 && t > 1e-5 && t < hit.t) hit = {t, triangle};
+  }
+
+  [[nodiscard]] std::vector<Child> children_met(const shared::BvhNode& node) const {
+    std::vector<Child> met;
+    for (unsigned c = 0; c < 4; ++c) {
+      double near = 0;
+      double far = hit.t;
+      const std::array<glm::uint, 3> upper{node.lower.w, node.upper.x, node.upper.y};
+      for (int a = 0; a < 3; ++a) {
+        const int exponent = static_cast<int>(node.origin_exponents.w >> (8 * a) & 255U) - 127;
+        const double origin = std::bit_cast<float>(node.origin_exponents[a]);
+        const auto plane = [&](glm::uint planes) {
+          const double at = origin + std::ldexp(static_cast<double>(planes >> (8 * c) & 255U), exponent);
+          return (at - ray_.origin[a]) / ray_.direction[a];
+        };
+        const double lower_t = plane(node.lower[a]);
+        const double upper_t = plane(upper[static_cast<std::size_t>(a)]);
+        near = std::max(near, ray_.direction[a] < 0 ? upper_t : lower_t);
+        far = std::min(far, ray_.direction[a] < 0 ? lower_t : upper_t);
+      }
+      if (near <= far) met.push_back({near, node.children[static_cast<int>(c)]});
+    }
+    return met;
+  }
+
+  const PackedScene& packed_;
+  const Ray& ray_;
+};
+
+/// Mean visits of rays from the camera, and of rays that leave their hits in all directions of the upper
+/// half.
+struct MeanCounts {
+  Counts camera;
+  Counts bounce;
+  int bounces = 0;
+};
+
+MeanCounts count_visits(const Scene& scene, const PackedScene& packed) {
+  MeanCounts mean;
+  constexpr int side = 64;
+  const glm::dmat3 frame(scene.camera.to_world);
+  const double tangent = std::tan(glm::radians(scene.camera.fov) / 2);
+  for (int i = 0; i < side * side; ++i) {
+    const double x = (2 * (i % side + 0.5) / side - 1) * tangent;
+    const double y = (2 * (static_cast<double>(i / side) + 0.5) / side - 1) * tangent;
+    const Ray ray{dvec3(scene.camera.to_world[3]), glm::normalize(frame * dvec3(x, y, 1))};
+    const Walk walk(packed, ray);
+    mean.camera.nodes += walk.counts.nodes / (side * side);
+    mean.camera.triangles += walk.counts.triangles / (side * side);
+    if (walk.hit.triangle == none) continue;
+    const shared::TriangleRecord& t = packed.triangles[walk.hit.triangle];
+    dvec3 n = glm::normalize(glm::cross(corner(t.v1) - corner(t.v0), corner(t.v2) - corner(t.v0)));
+    if (glm::dot(n, ray.direction) > 0) n = -n;
+    // Spirals over the sphere that touches the surface: directions of density cos/pi.
+    const double z = 1 - (2 * i + 1.0) / (side * side);
+    const double phi = 2.399963229728653 * i;
+    const double r = std::sqrt(1 - z * z);
+    const dvec3 d = glm::normalize(1.001 * n + dvec3(r * std::cos(phi), r * std::sin(phi), z));
+    const Walk bounce(packed, {ray.origin + walk.hit.t * ray.direction + 1e-5 * n, d});
+    mean.bounce.nodes += bounce.counts.nodes;
+    mean.bounce.triangles += bounce.counts.triangles;
+    ++mean.bounces;
+  }
+  mean.bounce.nodes /= mean.bounces;
+  mean.bounce.triangles /= mean.bounces;
+  return mean;
+}
+
+TEST(TraversalCost, rays_visit_no_more_nodes_and_triangles_than_they_did) {
+  const Scene scene = bench::generate_scene(70'000);
+  const PackedScene packed = pack_scene(scene);
+  const MeanCounts mean = count_visits(scene, packed);
+  std::printf("camera %.2f nodes, %.2f triangles; bounce %.2f nodes, %.2f triangles; SAH cost %.3f\n",
+              mean.camera.nodes, mean.camera.triangles, mean.bounce.nodes, mean.bounce.triangles,
+              packed.bvh.sah_cost);
+  ASSERT_GT(mean.bounces, 3000);
+  // Two hundredths above what was measured.
+  EXPECT_LE(mean.camera.nodes, 13.6);
+  EXPECT_LE(mean.camera.triangles, 3.3);
+  EXPECT_LE(mean.bounce.nodes, 16.4);
+  EXPECT_LE(mean.bounce.triangles, 5.12);
+  EXPECT_LE(packed.bvh.sah_cost, 8.1);
+}
+
+TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
+  for (const std::size_t triangles : {1000U, 70'000U, 300'000U}) {
+    const PackedScene packed = pack_scene(bench::generate_scene(triangles));
+    const double bytes = static_cast<double>(packed.bvh.nodes.size() * sizeof(shared::BvhNode) +
+                                             packed.triangles.size() * sizeof(shared::TriangleRecord));
+    EXPECT_LE(bytes / static_cast<double>(packed.triangles.size()), 66) << triangles;
+  }
+}
+
+/// Triangles in nests, each a third of the one around it: the surface area heuristic would peel them off one
+/// by one.
+TEST(TraversalCost, no_input_makes_a_tree_deeper_than_the_stack) {
+  std::vector<TriangleCorners> triangles;
+  float size = 1e12F;
+  for (int i = 0; i < 60; ++i, size /= 3)
+    triangles.push_back({vec3(0), vec3(size, 0, 0), vec3(0, size, size)});
+  for (int i = 0; i < 5000; ++i) triangles.push_back(triangles.back());
+  const Bvh bvh = build_bvh(triangles);
+  EXPECT_LE(bvh.stack_size, shared::LARGEST_STACK_SIZE);
+  EXPECT_GT(bvh.stack_size, 8U);
+  EXPECT_EQ(bvh.order.size(), triangles.size());
+}
+
+TEST(TraversalCost, kernels_have_no_more_instructions_than_they_had) {
+  for (const auto& [kernel, most] : {std::pair(Kernel::extend, 3400U), std::pair(Kernel::shadow, 3400U)}) {
+    std::size_t count = 0;
+    for_each_instruction(
+        kernel_code(kernel, GeometryFetch::texel_buffer),
+        [&](std::uint32_t /*opcode*/, std::span<const std::uint32_t> /*operands*/) { ++count; });
+    std::printf("%s: %zu instructions\n", kernel_name(kernel), count);
+    EXPECT_LE(count, most) << kernel_name(kernel);
+  }
+}
+
+}  // namespace
+}  // namespace facet::test
