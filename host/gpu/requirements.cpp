@@ -24,7 +24,7 @@ Requirement limit(const std::string& name, Value vk::PhysicalDeviceLimits::*memb
 
 std::vector<Requirement> requirements() {
   using Limits = vk::PhysicalDeviceLimits;
-  constexpr std::uint32_t buffers = shared::BINDING_COUNT;
+  constexpr std::uint32_t buffers = shared::BUFFER_BINDING_COUNT;
   return {
       {"Vulkan 1.1", [](const auto& d) { return d.getProperties().apiVersion >= minimum_vulkan_version; }},
       {"a compute queue", [](const auto& d) { return compute_queue_family(d) != VK_QUEUE_FAMILY_IGNORED; }},

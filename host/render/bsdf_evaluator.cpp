@@ -83,7 +83,7 @@ const BsdfKernels::Pipelines& BsdfKernels::specialised(const Constants& constant
   const auto found = pipelines_.find(constants);
   if (found != pipelines_.end()) return found->second;
   const auto make = [&](Kernel kernel) {
-    return gpu::make_compute_pipeline(device_, layout_, kernel_code(kernel, GeometryFetch::texel_buffer),
+    return gpu::make_compute_pipeline(device_, layout_, kernel_code(kernel, GeometryFetch::storage_buffer),
                                       constants, kernel_name(kernel));
   };
   return pipelines_.emplace(constants, Pipelines{make(Kernel::evaluate), make(Kernel::sample)}).first->second;

@@ -6,9 +6,18 @@ namespace facet {
 
 namespace {
 
+/// Texel buffers where the device has enough of them for all that is read so, and large enough ones.
 GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, bool force_storage_buffers) {
-  const std::size_t texels = std::max(packed.bvh.nodes.size() * 4, packed.triangles.size() * 3);
-  const bool fits = texels <= device.limits().maxTexelBufferElements;
+  const std::size_t texels = std::max({packed.bvh.nodes.size() * sizeof(shared::BvhNode),
+                                       packed.triangles.size() * sizeof(shared::TriangleRecord),
+                                       packed.bsdfs.size() * sizeof(shared::BsdfRecord),
+                                       packed.emitters.size() * sizeof(shared::EmitterRecord),
+                                       packed.meshes.size() * sizeof(shared::MeshRecord),
+                                       most_slots * sizeof(shared::ShadowRayRecord)}) /
+                             sizeof(glm::uvec4);
+  constexpr std::uint32_t images = 2 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
+  const bool fits = texels <= device.limits().maxTexelBufferElements &&
+                    images <= device.limits().maxPerStageDescriptorStorageImages;
   return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
 }
 
@@ -29,11 +38,12 @@ GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed,
 }
 
 std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
-  std::vector<vk::DescriptorType> types(shared::BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
+  std::vector<vk::DescriptorType> types(shared::BUFFER_BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
   types[shared::BINDING_FRAME] = vk::DescriptorType::eUniformBuffer;
   if (fetch_ == GeometryFetch::texel_buffer) {
     types[shared::BINDING_NODES] = vk::DescriptorType::eStorageTexelBuffer;
     types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eStorageTexelBuffer;
+    types.resize(shared::BINDING_COUNT, vk::DescriptorType::eStorageTexelBuffer);
   }
   return types;
 }

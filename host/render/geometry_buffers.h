@@ -11,13 +11,20 @@
 
 namespace facet {
 
+/// Paths in flight at most: the permutation of pixels computes in 32 bits.
+inline constexpr std::size_t most_slots = 1U << 21U;
+
+/// How records are bound that kernels write as storage and read as texels.
+inline constexpr vk::BufferUsageFlags record_usage =
+    vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eStorageTexelBuffer;
+
 /// A buffer with these records; throws InputError where it is larger than the device can bind.
 template <typename Record>
 gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& records,
                                const std::string& what,
-                               vk::BufferUsageFlagBits usage = vk::BufferUsageFlagBits::eStorageBuffer) {
+                               vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer) {
   const std::uint64_t bytes = records.size() * sizeof(Record);
-  if (usage == vk::BufferUsageFlagBits::eStorageBuffer && bytes > device.limits().maxStorageBufferRange) {
+  if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes > device.limits().maxStorageBufferRange) {
     throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
                                  device.info().name, device.limits().maxStorageBufferRange));
   }

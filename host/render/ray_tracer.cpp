@@ -10,7 +10,7 @@ namespace facet {
 namespace {
 
 gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
-  return {device, records * record_bytes, vk::BufferUsageFlagBits::eStorageBuffer, "the rays"};
+  return {device, records * record_bytes, record_usage, "the rays"};
 }
 
 vk::raii::Pipeline make_pipeline(const gpu::Device& device, const gpu::Layout& layout, Kernel kernel,
@@ -31,8 +31,8 @@ RayTracer::RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32
       shadow_rays_(make_state(device, most_rays, sizeof(shared::ShadowRayRecord))),
       queues_(make_state(device, std::uint64_t{most_rays} * 2, sizeof(std::uint32_t))),
       counters_(make_state(device, shared::COUNTER_WORDS, sizeof(std::uint32_t))),
-      unused_(device, sizeof(shared::FrameRecord),
-              vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eUniformBuffer, "nothing"),
+      unused_(device, sizeof(shared::FrameRecord), record_usage | vk::BufferUsageFlagBits::eUniformBuffer,
+              "nothing"),
       set_(device, layout_, bindings()),
       closest_(make_pipeline(device, layout_, Kernel::extend, geometry_.fetch(), packed.bvh.stack_size)),
       any_(make_pipeline(device, layout_, Kernel::shadow, geometry_.fetch(), packed.bvh.stack_size)) {
@@ -41,8 +41,8 @@ RayTracer::RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32
   queues_.upload(slots);
 }
 
-std::vector<gpu::Binding> RayTracer::bindings() const {
-  std::vector<gpu::Binding> bindings(shared::BINDING_COUNT, {&unused_, nullptr});
+std::vector<gpu::Binding> RayTracer::bindings() {
+  std::vector<gpu::Binding> bindings(shared::BUFFER_BINDING_COUNT, {&unused_, nullptr});
   geometry_.bind(bindings);
   bindings[shared::BINDING_RAYS].buffer = &rays_;
   bindings[shared::BINDING_HITS].buffer = &hits_;
@@ -50,6 +50,10 @@ std::vector<gpu::Binding> RayTracer::bindings() const {
   bindings[shared::BINDING_SHADOW_RAYS].buffer = &shadow_rays_;
   bindings[shared::BINDING_QUEUES].buffer = &queues_;
   bindings[shared::BINDING_COUNTERS].buffer = &counters_;
+  if (geometry_.fetch() != GeometryFetch::texel_buffer) return bindings;
+  views_.reserve(shared::BINDING_COUNT - shared::BUFFER_BINDING_COUNT);
+  for (const gpu::Buffer* buffer : {&rays_, &hits_, &paths_, &shadow_rays_, &unused_, &unused_, &unused_})
+    bindings.push_back({buffer, &views_.emplace_back(gpu::make_texel_view(device_, *buffer))});
   return bindings;
 }
 

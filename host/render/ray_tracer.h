@@ -30,7 +30,7 @@ class RayTracer {
 
  private:
   double run(const vk::raii::Pipeline& pipeline);
-  [[nodiscard]] std::vector<gpu::Binding> bindings() const;
+  [[nodiscard]] std::vector<gpu::Binding> bindings();
 
   gpu::Device& device_;
   std::uint32_t ray_count_ = 0;
@@ -43,6 +43,7 @@ class RayTracer {
   gpu::Buffer queues_;
   gpu::Buffer counters_;
   gpu::Buffer unused_;
+  std::vector<vk::raii::BufferView> views_;  ///< by binding, BINDING_RAY_TEXELS on
   gpu::BindingSet set_;
   vk::raii::Pipeline closest_;
   vk::raii::Pipeline any_;

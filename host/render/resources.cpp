@@ -18,11 +18,10 @@ constexpr std::uint32_t slots_on_gpu = 1U << 20U;
 std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
-  // The largest record of a path must be bindable, and the permutation of pixels computes in 32 bits.
-  constexpr std::uint32_t most = 1U << 21U;
+  // The largest record of a path must be bindable.
   const auto bindable =
       static_cast<std::uint32_t>(device.limits().maxStorageBufferRange / sizeof(shared::ShadowRayRecord));
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most, bindable}));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most_slots, bindable}));
 }
 
 std::uint32_t crop_pixels(const Crop& crop) {
@@ -50,9 +49,9 @@ std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedSce
   std::vector<gpu::Buffer> buffers;
   buffers.push_back(make_record_buffer(device, p.normal_indices, "the normals' indices"));
   buffers.push_back(make_record_buffer(device, p.normals, "the normals"));
-  buffers.push_back(make_record_buffer(device, p.meshes, "the meshes"));
-  buffers.push_back(make_record_buffer(device, p.bsdfs, "the BSDFs"));
-  buffers.push_back(make_record_buffer(device, p.emitters, "the emitters"));
+  buffers.push_back(make_record_buffer(device, p.meshes, "the meshes", record_usage));
+  buffers.push_back(make_record_buffer(device, p.bsdfs, "the BSDFs", record_usage));
+  buffers.push_back(make_record_buffer(device, p.emitters, "the emitters", record_usage));
   buffers.push_back(make_record_buffer(device, p.emitter_triangles, "the emitters' triangles"));
   buffers.push_back(make_record_buffer(device, p.environment.texels, "the environment map"));
   buffers.push_back(make_record_buffer(device, p.environment.rows, "the environment's rows"));
@@ -76,7 +75,7 @@ std::vector<Record> read_records(const gpu::Buffer& buffer, std::uint32_t count)
 }
 
 gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
-  return {device, records * record_bytes, Usage::eStorageBuffer, "the paths in flight"};
+  return {device, records * record_bytes, record_usage, "the paths in flight"};
 }
 
 }  // namespace
@@ -131,7 +130,7 @@ void Renderer::Resources::make_film() {
 }
 
 void Renderer::Resources::bind_everything() {
-  std::vector<gpu::Binding> bindings(shared::BINDING_COUNT);
+  std::vector<gpu::Binding> bindings(shared::BUFFER_BINDING_COUNT);
   geometry_.bind(bindings);
   for (std::size_t i = 0; i < scene_.size(); ++i)
     bindings[shared::BINDING_NORMAL_INDICES + i].buffer = &scene_[i];
@@ -141,10 +140,22 @@ void Renderer::Resources::bind_everything() {
   bindings[shared::BINDING_SHADOW_RAYS].buffer = &shadow_;
   bindings[shared::BINDING_QUEUES].buffer = &queues_;
   bindings[shared::BINDING_COUNTERS].buffer = &counters_;
+  bind_texels(bindings);
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
     bindings[shared::BINDING_FILM].buffer = &film_[piece];
     bindings[shared::BINDING_FILM_SQUARES].buffer = &squares_[piece];
     sets_.emplace_back(device_, layout_, bindings);
+  }
+}
+
+void Renderer::Resources::bind_texels(std::vector<gpu::Binding>& bindings) {
+  if (geometry_.fetch() != GeometryFetch::texel_buffer) return;
+  texel_views_.reserve(shared::BINDING_COUNT - shared::BUFFER_BINDING_COUNT);
+  for (const std::uint32_t records :
+       {shared::BINDING_RAYS, shared::BINDING_HITS, shared::BINDING_PATHS, shared::BINDING_SHADOW_RAYS,
+        shared::BINDING_MESHES, shared::BINDING_BSDFS, shared::BINDING_EMITTERS}) {
+    const gpu::Buffer* buffer = bindings[records].buffer;
+    bindings.push_back({buffer, &texel_views_.emplace_back(gpu::make_texel_view(device_, *buffer))});
   }
 }
 

@@ -66,6 +66,7 @@ struct Renderer::Resources {
                          const shared::PassConstants& constants, std::uint32_t counter_word) const;
   void make_film();
   void bind_everything();
+  void bind_texels(std::vector<gpu::Binding>& bindings);
 
   gpu::Device& device_;
   bool shadow_rays_;
@@ -83,10 +84,11 @@ struct Renderer::Resources {
   gpu::Buffer shadow_;
   gpu::Buffer queues_;
   gpu::Buffer counters_;
-  std::vector<gpu::Buffer> film_;              ///< one a piece
-  std::vector<gpu::Buffer> squares_;           ///< likewise; a single dummy without variance
-  std::vector<gpu::BindingSet> sets_;          ///< one a piece
-  std::vector<vk::raii::Pipeline> pipelines_;  ///< by Kernel
+  std::vector<gpu::Buffer> film_;                  ///< one a piece
+  std::vector<gpu::Buffer> squares_;               ///< likewise; a single dummy without variance
+  std::vector<vk::raii::BufferView> texel_views_;  ///< by binding, BINDING_RAY_TEXELS on
+  std::vector<gpu::BindingSet> sets_;              ///< one a piece
+  std::vector<vk::raii::Pipeline> pipelines_;      ///< by Kernel
   std::optional<gpu::Stopwatch> stopwatch_;
 };
 

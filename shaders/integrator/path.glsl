@@ -80,7 +80,7 @@ void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo,
 EmitterSample emitter_sample(Surface s, SampleId id, uint k) {
   if (!EVERY_EMITTER) return sample_emitters(s, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
   uint block = BLOCK_EVERY_EMITTER + (k - 1u) * frame.emitter_count + pass_constants.emitter;
-  return sample_emitter(emitters[pass_constants.emitter], s, random_block(id, block));
+  return sample_emitter(fetch_emitter(pass_constants.emitter), s, random_block(id, block));
 }
 
 /// Interaction k = bounce + 1 of a path whose ray has found `hit`.
@@ -102,7 +102,7 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   uint k = bounce + 1u;
   Frame shading = frame_from_normal(s.ns);
   vec3 wo = to_local(shading, -d);
-  BsdfRecord bsdf = textured_bsdf(bsdfs[meshes[s.mesh].bsdf], s.uv);
+  BsdfRecord bsdf = textured_bsdf(fetch_bsdf(fetch_mesh(s.mesh).bsdf), s.uv);
   bool visible = wo.z > 0.0 || HAS_FLAG(bsdf.flags, BSDF_TRANSMITS);
   bool scatters = !missed && visible && k <= frame.max_depth;
   if (EMITTER_SAMPLING) {

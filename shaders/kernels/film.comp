@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/camera.glsl"
 #include "../lib/film.glsl"
+#include "../lib/records.glsl"
 #include "../lib/specialization.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
@@ -19,7 +20,7 @@ void main() {
   uint k = pass_constants.film_begin;
   while (k < pass_constants.film_end) {
     uint slot = local + k * pass_constants.pixel_count;
-    vec3 radiance = paths[slot].radiance.rgb;
+    vec3 radiance = fetch_path(slot).radiance.rgb;
     bool good = is_good_sample(radiance);
     vec3 value = radiance * sample_weight(slot);
     if (good) add_sample(sums, value);

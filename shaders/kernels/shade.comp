@@ -8,20 +8,21 @@
 #include "../integrator/simple.glsl"
 #include "../lib/pass.glsl"
 #include "../lib/queue.glsl"
+#include "../lib/records.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 PathStep shade(uint slot) {
   if (INTEGRATOR == INTEGRATOR_path) {
-    return shade_path(paths[slot], rays[slot], hits[slot], slot_sample(slot), pass_constants.bounce);
+    return shade_path(fetch_path(slot), fetch_ray(slot), fetch_hit(slot), slot_sample(slot), pass_constants.bounce);
   }
   if (INTEGRATOR == INTEGRATOR_ambient_occlusion) {
-    return shade_ambient_occlusion(paths[slot], rays[slot], hits[slot], slot_sample(slot));
+    return shade_ambient_occlusion(fetch_path(slot), fetch_ray(slot), fetch_hit(slot), slot_sample(slot));
   }
-  if (INTEGRATOR == INTEGRATOR_simple) return shade_simple(paths[slot], rays[slot], hits[slot]);
+  if (INTEGRATOR == INTEGRATOR_simple) return shade_simple(fetch_path(slot), fetch_ray(slot), fetch_hit(slot));
   PathStep step;
-  step.path = paths[slot];
-  step.path.radiance.rgb = INTEGRATOR == INTEGRATOR_normals ? shade_normals(hits[slot]) : shade_depth(hits[slot]);
+  step.path = fetch_path(slot);
+  step.path.radiance.rgb = INTEGRATOR == INTEGRATOR_normals ? shade_normals(fetch_hit(slot)) : shade_depth(fetch_hit(slot));
   step.alive = false;
   step.has_shadow = false;
   return step;

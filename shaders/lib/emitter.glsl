@@ -3,6 +3,7 @@
 #define FACET_EMITTER_GLSL
 #include "choice.glsl"
 #include "random.glsl"
+#include "records.glsl"
 #include "specialization.glsl"
 #include "../emitter/area.glsl"
 #include "../emitter/environment.glsl"
@@ -26,7 +27,7 @@ EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
 
 /// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
 EmitterSample sample_emitters(Surface from, uvec4 bits) {
-  EmitterRecord e = emitters[choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE]))];
+  EmitterRecord e = fetch_emitter(choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE])));
   EmitterSample s = sample_emitter(e, from, bits);
   s.pdf *= e.probability;
   return s;
@@ -41,8 +42,8 @@ struct FoundEmission {
 FoundEmission emission_of_surface(Surface s, vec3 d, float distance) {
   FoundEmission f = FoundEmission(vec3(0.0), 0.0);
   if (!HAS_EMITTER(area)) return f;
-  uint index = meshes[s.mesh].emitter;
-  EmitterRecord e = emitters[index == NONE ? 0u : index];
+  uint index = fetch_mesh(s.mesh).emitter;
+  EmitterRecord e = fetch_emitter(index == NONE ? 0u : index);
   bool emits = index != NONE;
   f.radiance = emits ? area_eval(e, s, d) : vec3(0.0);
   f.pdf = emits ? area_pdf(e, s, d, distance) * e.probability : 0.0;

@@ -7,7 +7,7 @@
 #include "../shared/records.h"
 #include "frame.glsl"
 
-#ifdef FACET_GEOMETRY_IN_STORAGE_BUFFERS
+#ifdef FACET_NO_TEXEL_BUFFERS
 layout(std430, binding = BINDING_NODES) readonly buffer Nodes { uvec4 node_texels[]; };
 layout(std430, binding = BINDING_TRIANGLES) readonly buffer Triangles { uvec4 triangle_texels[]; };
 uvec4 node_texel(uint i) { return node_texels[i]; }
