@@ -1,0 +1,74 @@
+// `facet bench`: what it reports, and mistakes. How fast anything is, no test says.
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace facet::test {
+
+namespace {
+
+class BenchCliTest : public CliTest {};
+
+/// Enough to see that everything is there.
+const std::vector<std::string> quick{"--rays", "4096", "--repeats", "2", "--spp", "1"};
+
+std::vector<std::string> bench(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "bench");
+  arguments.insert(arguments.end(), quick.begin(), quick.end());
+  return arguments;
+}
+
+TEST_F(BenchCliTest, RaysOfEveryKindAreCountedAndHitTheSame) {
+  const Result result = run(bench({"--mesh", "1k,5000", "--json", "-"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto report = nlohmann::json::parse(result.out);
+  ASSERT_EQ(report["traversal"].size(), 6U);
+  ASSERT_EQ(report["build"].size(), 2U);
+  EXPECT_EQ(report["build"][1]["mesh"], "generated-5k");
+  for (const auto& row : report["traversal"]) {
+    EXPECT_GT(row["count"], 1000);
+    EXPECT_LE(row["facet"]["min"], row["facet"]["median"]);
+    EXPECT_LE(row["facet"]["median"], row["facet"]["max"]);
+    EXPECT_GT(row["facet"]["min"], 0);
+    if (report["yardstick"] == "") continue;
+    // What differs hits edges.
+    EXPECT_GE(row["equal_hits"], 0.999) << row["mesh"] << row["rays"];
+    EXPECT_GT(row["ratio_embree1"], 0);
+  }
+  for (const auto& build : report["build"]) {
+    EXPECT_GT(build["facet_sah"], 1);
+    EXPECT_LT(build["facet_bytes"], 80 * build["triangles"].get<double>());
+  }
+}
+
+TEST_F(BenchCliTest, ScenesAreRenderedAndTheirStagesAddUp) {
+  const std::string scene = std::string(FACET_SCENES) + "/cbox/cbox_conductors_mis.xml";
+  const Result result = run(bench({scene, "--json", "report.json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  expect_words(result.out, {"cbox_conductors_mis: ", "camera", "diffuse", "shadow", "direct_mis at 1 samples",
+                            "M samples/s", "extend"});
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  ASSERT_EQ(report["render"].size(), 1U);
+  const auto& render = report["render"][0];
+  EXPECT_EQ(render["integrator"], "direct_mis");
+  EXPECT_GT(render["samples_per_second"], 0);
+  EXPECT_GT(render["rays_per_second"], render["samples_per_second"]);
+  double sum = 0;
+  for (const auto& share : render["stages"]) sum += share.get<double>();
+  EXPECT_NEAR(sum, 1, 1e-6);
+  EXPECT_EQ(report["traversal"].size(), 3U);
+}
+
+TEST_F(BenchCliTest, MistakesAreNamed) {
+  for (const std::string mesh : {"many", "70x", "3", "1e12"}) {
+    const Result result = run(bench({"--mesh", mesh}));
+    EXPECT_EQ(result.code, 2) << mesh;
+    expect_words(result.err, {"--mesh " + mesh + ": wanted is a number of triangles"});
+  }
+  EXPECT_EQ(run(bench({"nowhere.xml"})).code, 2);
+  EXPECT_EQ(run(bench({"--mesh", "1k", "--json", "no/such/folder.json"})).code, 2);
+}
+
+}  // namespace
+
+}  // namespace facet::test
