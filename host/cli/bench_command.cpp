@@ -131,7 +131,8 @@ void add_bench_command(CLI::App& app, Action& action) {
   command
       ->add_option("--mesh", o.meshes,
                    "Generated meshes by their number of triangles; without scenes: 10k,70k,1M")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--rays", o.traversal.rays, "Rays from the camera, about")
       ->check(CLI::Range(1U << 10U, 1U << 20U))
       ->capture_default_str();

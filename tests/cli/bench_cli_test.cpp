@@ -63,7 +63,8 @@ TEST_F(BenchCliTest, MistakesAreNamed) {
   for (const std::string mesh : {"many", "70x", "3", "1e12"}) {
     const Result result = run(bench({"--mesh", mesh}));
     EXPECT_EQ(result.code, 2) << mesh;
-    expect_words(result.err, {"--mesh " + mesh + ": wanted is a number of triangles"});
+    const std::string wanted = "--mesh " + mesh + ": wanted is a number of triangles";
+    expect_words(result.err, {wanted.c_str()});
   }
   EXPECT_EQ(run(bench({"nowhere.xml"})).code, 2);
   EXPECT_EQ(run(bench({"--mesh", "1k", "--json", "no/such/folder.json"})).code, 2);
