@@ -19,7 +19,8 @@ struct RenderStatistics {
   std::uint64_t bound_hits = 0;   ///< traversals stopped by their bound
   double compile_seconds = 0;     ///< of the kernels, by us and by the driver
   double render_seconds = 0;
-  std::array<double, stage_names.size()> stage_seconds{};  ///< where RenderSettings::time_stages asks for them
+  std::array<double, stage_names.size()>
+      stage_seconds{};  ///< where RenderSettings::time_stages asks for them
   std::uint64_t device_bytes = 0;
 };
 

@@ -1,5 +1,6 @@
 // Reads of whole records. As texels where texel buffers are large enough: lavapipe reads a storage buffer word by word, lane by
-// lane, which took more than half of the time of shading.
+// lane, which took more than half of the time of shading. Writes go to the storage buffers (as texels they were slower): the two
+// are one memory, so a kernel reads a record before it writes it, and never after.
 #ifndef FACET_RECORDS_GLSL
 #define FACET_RECORDS_GLSL
 #include "bindings.glsl"

@@ -37,7 +37,8 @@ FACET_CONSTANT uint BINDING_COUNTERS = 23u;
 FACET_CONSTANT uint BINDING_FILM = 24u;
 FACET_CONSTANT uint BINDING_FILM_SQUARES = 25u;
 FACET_CONSTANT uint BUFFER_BINDING_COUNT = 26u;
-// Some of these buffers once more, as texels to read (records.glsl); not bound where texel buffers are too small.
+// Some of these buffers once more, as texels to read (records.glsl); not bound where texel buffers are too
+// small.
 FACET_CONSTANT uint BINDING_RAY_TEXELS = 26u;
 FACET_CONSTANT uint BINDING_HIT_TEXELS = 27u;
 FACET_CONSTANT uint BINDING_PATH_TEXELS = 28u;
