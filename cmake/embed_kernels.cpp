@@ -1,10 +1,11 @@
-// Build tool: decorates every float operation of the compiled kernels with NoContraction and embeds the
-// result in a C++ file.
+// Build tool: decorates every float operation of the compiled kernels with NoContraction, the state of paths
+// with Aliased, and embeds the result in a C++ file.
 //     embed_kernels OUT.cpp NAME=IN.spv=OUT.spv...
 // A kernel's names are KERNEL_texel and KERNEL_storage, or KERNEL_any where it sees no geometry.
 // Without the decoration drivers reassociate and fuse float operations, each in its own way, and images
 // differ between them. GLSL's `precise` does not reach into called functions, so it is done here, on the
-// finished SPIR-V.
+// finished SPIR-V. GLSL has no word for two bindings of one memory (shaders/lib/records.glsl), which SPIR-V
+// forbids undeclared.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "shared/bindings.h"
+
 namespace {
 
 using Words = std::vector<std::uint32_t>;
@@ -20,7 +23,16 @@ using Words = std::vector<std::uint32_t>;
 constexpr std::uint32_t spirv_magic = 0x07230203;
 constexpr std::size_t header_words = 5;
 constexpr std::uint32_t op_decorate = 71;
+constexpr std::uint32_t decoration_aliased = 20;
+constexpr std::uint32_t decoration_binding = 33;
 constexpr std::uint32_t decoration_no_contraction = 42;
+
+/// Whether a binding is of records that kernels write as storage and read as texels.
+bool is_bound_twice(std::uint32_t binding) {
+  using namespace facet::shared;
+  return (binding >= BINDING_RAYS && binding <= BINDING_SHADOW_RAYS) ||
+         (binding >= BINDING_RAY_TEXELS && binding <= BINDING_SHADOW_RAY_TEXELS);
+}
 
 /// SPIR-V opcodes of float arithmetic, all of which NoContraction may decorate.
 bool is_float_arithmetic(std::uint32_t opcode) {
@@ -60,6 +72,9 @@ Words decorate(const Words& in) {
     const std::uint32_t opcode = in[i] & 0xffffU;
     if ((in[i] >> 16U) == 0) throw std::runtime_error("broken SPIR-V");
     if (precedes_decorations(opcode)) insert_at = i + (in[i] >> 16U);
+    if (opcode == op_decorate && in[i + 2] == decoration_binding && is_bound_twice(in[i + 3])) {
+      decorations.insert(decorations.end(), {(3U << 16U) | op_decorate, in[i + 1], decoration_aliased});
+    }
     if (is_float_arithmetic(opcode)) {
       decorations.insert(decorations.end(),
                          {(3U << 16U) | op_decorate, in[i + 2], decoration_no_contraction});

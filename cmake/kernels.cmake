@@ -4,7 +4,7 @@ find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 add_executable(embed_kernels ${CMAKE_CURRENT_LIST_DIR}/embed_kernels.cpp)
-target_link_libraries(embed_kernels PRIVATE facet_warnings)
+target_link_libraries(embed_kernels PRIVATE facet_shared facet_warnings)
 
 set(FACET_KERNELS generate extend shade shadow schedule film)
 # They see no geometry.
