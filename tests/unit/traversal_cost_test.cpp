@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "accel/bvh.h"
+#include "accel/binary_bvh.h"
 #include "bench/mesh.h"
 #include "render/packed_scene.h"
 #include "support/spirv.h"
@@ -169,18 +169,26 @@ TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
   }
 }
 
-/// Triangles in nests, each a third of the one around it: the surface area heuristic would peel them off one
-/// by one.
+std::uint32_t depth_of(const std::vector<BinaryNode>& nodes, std::uint32_t node) {
+  if (nodes[node].count > 0) return 1;
+  return 1 + std::max(depth_of(nodes, nodes[node].left), depth_of(nodes, nodes[node].right));
+}
+
+/// Triangles in a row, each a twentieth as far away as the one before: whatever the bins, one is split off at
+/// a time.
 TEST(TraversalCost, no_input_makes_a_tree_deeper_than_the_stack) {
-  std::vector<TriangleCorners> triangles;
-  float size = 1e12F;
-  for (int i = 0; i < 60; ++i, size /= 3)
-    triangles.push_back({vec3(0), vec3(size, 0, 0), vec3(0, size, size)});
-  for (int i = 0; i < 5000; ++i) triangles.push_back(triangles.back());
-  const Bvh bvh = build_bvh(triangles);
-  EXPECT_LE(bvh.stack_size, shared::LARGEST_STACK_SIZE);
-  EXPECT_GT(bvh.stack_size, 8U);
-  EXPECT_EQ(bvh.order.size(), triangles.size());
+  std::vector<BvhPrimitive> primitives;
+  float x = 1e37F;
+  for (std::uint32_t i = 0; i < 57; ++i, x /= 20) {
+    BvhPrimitive& p = primitives.emplace_back();
+    p.box.add(vec3(x, 0, 0));
+    p.box.add(vec3(x, 1, 1));
+    p.index = i;
+  }
+  const std::vector<BinaryNode> nodes = build_binary_bvh(primitives);
+  EXPECT_LE(depth_of(nodes, 0), shared::LARGEST_STACK_SIZE);
+  // That it could be: so many levels are split off one by one.
+  EXPECT_GE(depth_of(nodes, 0), 25U);
 }
 
 TEST(TraversalCost, kernels_have_no_more_instructions_than_they_had) {
