@@ -10,7 +10,7 @@ inline constexpr int kernel_count = 8;
 /// The first ones: those that render. The others evaluate one BSDF alone.
 inline constexpr int render_kernel_count = 6;
 
-/// How geometry is fetched: the kernels' one build variant.
+/// How geometry and records are read: the kernels' one build variant.
 enum class GeometryFetch { texel_buffer, storage_buffer };
 
 /// SPIR-V words.
