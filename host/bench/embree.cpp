@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "bench/yardstick.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/parallel.h"
 
@@ -53,7 +52,7 @@ class Embree : public Yardstick {
     const ssize_t geometry = bytes_;
     const auto start = std::chrono::steady_clock::now();
     rtcCommitScene(scene_);
-    build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    build_seconds_ = seconds_since(start);
     tree_bytes_ = static_cast<std::uint64_t>(std::max<ssize_t>(0, bytes_ - geometry));
   }
   ~Embree() override {
@@ -64,31 +63,21 @@ class Embree : public Yardstick {
   Embree& operator=(const Embree&) = delete;
 
   void trace_closest(std::span<const RayRecord> rays, Calls calls, std::span<float> distances) override {
-    parallel_for(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-      for (std::size_t i = begin; i < end; i += calls == Calls::single ? 1 : packet) {
-        if (calls == Calls::single) {
-          distances[i] = closest(rays[i], context);
-        } else {
-          closest8(rays.subspan(i, std::min(packet, end - i)), context, distances.subspan(i));
-        }
+    for_each_call(rays, calls, [&](std::size_t i, std::size_t count, RTCIntersectContext& context) {
+      if (calls == Calls::single) {
+        distances[i] = closest(rays[i], context);
+      } else {
+        closest8(rays.subspan(i, count), context, distances.subspan(i));
       }
     });
   }
 
   void trace_any(std::span<const RayRecord> rays, Calls calls, std::span<char> occluded) override {
-    parallel_for(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-      for (std::size_t i = begin; i < end; i += calls == Calls::single ? 1 : packet) {
-        if (calls == Calls::single) {
-          occluded[i] = any(rays[i], context);
-        } else {
-          any8(rays.subspan(i, std::min(packet, end - i)), context, occluded.subspan(i));
-        }
+    for_each_call(rays, calls, [&](std::size_t i, std::size_t count, RTCIntersectContext& context) {
+      if (calls == Calls::single) {
+        occluded[i] = any(rays[i], context);
+      } else {
+        any8(rays.subspan(i, count), context, occluded.subspan(i));
       }
     });
   }
@@ -97,6 +86,18 @@ class Embree : public Yardstick {
   [[nodiscard]] std::uint64_t bytes() const override { return tree_bytes_; }
 
  private:
+  /// Calls body(first ray, rays, context) for every ray or packet, on all cores.
+  template <typename Body>
+  static void for_each_call(std::span<const RayRecord> rays, Calls calls, const Body& body) {
+    const std::size_t step = calls == Calls::single ? 1 : packet;
+    parallel_for(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+      for (std::size_t i = begin; i < end; i += step) body(i, std::min(step, end - i), context);
+    });
+  }
+
   void attach(const PackedScene& packed) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = packed.triangles.size();
@@ -109,7 +110,8 @@ class Embree : public Yardstick {
     for (std::size_t i = 0; i < count; ++i) {
       const shared::TriangleRecord& t = packed.triangles[i];
       for (const glm::uvec4& v : {t.v0, t.v1, t.v2}) {
-        for (int a = 0; a < 3; ++a) *positions++ = std::bit_cast<float>(v[a]);
+        const vec3 p = vertex_position(v);
+        for (int a = 0; a < 3; ++a) *positions++ = p[a];
       }
       for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = static_cast<std::uint32_t>(3 * i + k);
     }

@@ -1,8 +1,7 @@
 #include "bench/mesh.h"
 
-#include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 #include "shared/random_hash.h"
 
@@ -10,7 +9,8 @@ namespace facet::bench {
 
 namespace {
 
-/// Patches of the ball (two for each side of a cube) and of the floor; two triangles a cell.
+/// Patches of equal size: a ball's, one for each side of a cube, and as many again for the floor; two
+/// triangles a cell.
 constexpr std::size_t ball_sides = 6;
 constexpr std::size_t floor_shares = 6;
 
@@ -72,8 +72,8 @@ void add_patch(Mesh& mesh, std::size_t cells, const Place& place) {
 }
 
 dvec3 cube_side(std::size_t side, double u, double v) {
-  const double x = std::tan((u - 0.5) * 1.5707963267948966);
-  const double y = std::tan((v - 0.5) * 1.5707963267948966);
+  const double x = std::tan((u - 0.5) * (std::numbers::pi / 2));
+  const double y = std::tan((v - 0.5) * (std::numbers::pi / 2));
   const double sign = side % 2 == 0 ? 1 : -1;
   switch (side / 2) {
     case 0:

@@ -5,7 +5,7 @@
 namespace facet::bench {
 
 /// A ball with folds of all sizes on an uneven floor under a square light, of about so many triangles (each
-/// of twelve square patches is cut evenly), without vertex normals.
+/// of the square patches is cut evenly), without vertex normals.
 [[nodiscard]] Scene generate_scene(std::size_t triangles);
 
 /// "generated-70k"

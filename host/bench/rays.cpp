@@ -1,7 +1,6 @@
 #include "bench/rays.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -15,10 +14,6 @@ namespace {
 using shared::RayRecord;
 
 constexpr float farthest = std::numeric_limits<float>::max();
-
-vec3 vertex(const glm::uvec4& texel) {
-  return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y), std::bit_cast<float>(texel.z)};
-}
 
 /// Three numbers in [0, 1) of a ray.
 vec3 random_numbers(std::size_t ray, std::uint32_t purpose) {
@@ -49,9 +44,9 @@ class RayMaker {
 
   [[nodiscard]] Place place_of(const RayRecord& ray, const shared::HitRecord& hit) const {
     const shared::TriangleRecord& t = packed_.triangles[hit.triangle];
-    const vec3 a = vertex(t.v0);
-    const vec3 b = vertex(t.v1);
-    const vec3 c = vertex(t.v2);
+    const vec3 a = vertex_position(t.v0);
+    const vec3 b = vertex_position(t.v1);
+    const vec3 c = vertex_position(t.v2);
     vec3 n = glm::normalize(glm::cross(b - a, c - a));
     if (glm::dot(n, vec3(ray.direction)) > 0) n = -n;
     const vec3 p = (1 - hit.b1 - hit.b2) * a + hit.b1 * b + hit.b2 * c;
@@ -71,9 +66,9 @@ class RayMaker {
     const auto count = packed_.emitter_triangles.size();
     const auto chosen = std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
     const shared::TriangleRecord& t = packed_.triangles[packed_.emitter_triangles[chosen].triangle];
-    const vec3 a = vertex(t.v0);
-    const vec3 b = vertex(t.v1);
-    const vec3 c = vertex(t.v2);
+    const vec3 a = vertex_position(t.v0);
+    const vec3 b = vertex_position(t.v1);
+    const vec3 c = vertex_position(t.v2);
     const float root = std::sqrt(u.x);
     const vec3 d = (1 - root) * a + root * (1 - u.y) * b + root * u.y * c - at.position;
     if (glm::dot(d, at.normal) <= 0 || glm::dot(d, glm::cross(b - a, c - a)) >= 0) return std::nullopt;

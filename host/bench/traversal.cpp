@@ -1,10 +1,10 @@
 #include "bench/traversal.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "bench/rays.h"
 #include "bench/yardstick.h"
+#include "core/clock.h"
 #include "render/ray_tracer.h"
 #include "render/renderer.h"
 
@@ -16,7 +16,7 @@ template <typename Work>
 double seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
 }
 
 /// Gives the camera's image about so many pixels, and square ones.

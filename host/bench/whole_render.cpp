@@ -1,8 +1,8 @@
 #include "bench/whole_render.h"
 
-#include <chrono>
 #include <numeric>
 
+#include "core/clock.h"
 #include "render/renderer.h"
 
 namespace facet::bench {
@@ -26,7 +26,7 @@ RenderRow measure_render(gpu::Device& device, const std::string& name, const Sce
   for (int run = 0; run < repeats; ++run) {
     Renderer renderer(device, packed, features, settings);
     if (run == 0) {
-      row.startup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      row.startup_seconds = seconds_since(start);
       row.compile_seconds = renderer.statistics().compile_seconds;
       row.device_bytes = renderer.statistics().device_bytes;
     }

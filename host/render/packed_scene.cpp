@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
+#include "core/clock.h"
 #include "core/parallel.h"
 #include "render/choice.h"
 #include "render/texture_table.h"
@@ -40,7 +40,7 @@ class Packer {
     gather_triangles();
     const auto start = std::chrono::steady_clock::now();
     packed_.bvh = build_bvh(corners_);
-    packed_.bvh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    packed_.bvh_seconds = seconds_since(start);
     gather_attributes();
     pack_triangles();
     for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));

@@ -1,5 +1,6 @@
 #pragma once
 // A scene as the kernels read it: arrays of the shared records.
+#include <bit>
 #include <vector>
 
 #include "accel/bvh.h"
@@ -28,6 +29,11 @@ struct PackedScene {
   shared::FrameRecord frame{};  ///< camera and emitters; crop, seed and depth are the renderer's
   double bvh_seconds = 0;
 };
+
+/// The position that a triangle's texel holds, world space.
+inline vec3 vertex_position(const glm::uvec4& texel) {
+  return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y), std::bit_cast<float>(texel.z)};
+}
 
 [[nodiscard]] PackedScene pack_scene(const Scene& scene);
 

@@ -1,8 +1,8 @@
 #include "render/ray_tracer.h"
 
-#include <chrono>
 #include <numeric>
 
+#include "core/clock.h"
 #include "render/features.h"
 
 namespace facet {
@@ -82,7 +82,7 @@ double RayTracer::run(const vk::raii::Pipeline& pipeline) {
     c.dispatch((ray_count_ + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE, 1, 1);
     gpu::barrier(c);
   });
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
 }
 
 double RayTracer::trace_closest() { return run(closest_); }

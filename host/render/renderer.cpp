@@ -1,9 +1,9 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
+#include "core/clock.h"
 #include "render/resources.h"
 
 namespace facet {
@@ -16,10 +16,6 @@ constexpr std::uint32_t samples_per_film_dispatch = 256;
 
 std::uint32_t workgroups(std::uint32_t invocations) {
   return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land

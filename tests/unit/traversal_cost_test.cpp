@@ -29,9 +29,7 @@ struct Counts {
   double triangles = 0;
 };
 
-dvec3 corner(const glm::uvec4& texel) {
-  return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y), std::bit_cast<float>(texel.z)};
-}
+dvec3 corner(const glm::uvec4& texel) { return vertex_position(texel); }
 
 /// Walks the tree as the kernels do, nearest children first, in double.
 class Walk {
