@@ -12,7 +12,8 @@ namespace facet {
 
 namespace {
 
-constexpr std::uint32_t width = 4;
+constexpr std::uint32_t width = shared::BLOCK_SIZE;
+using Children = std::array<std::uint32_t, width>;  ///< binary nodes
 
 /// Smallest biased exponent e whose 255 steps of 2^(e-127) cover the extent.
 std::uint32_t step_exponent(float extent) {
@@ -23,41 +24,91 @@ std::uint32_t step_exponent(float extent) {
   return static_cast<std::uint32_t>(std::clamp(e + 127, 1, 254));
 }
 
+template <typename Record>
+void set_item(shared::BvhItem& item, const Record& record) {
+  item = std::bit_cast<shared::BvhItem>(record);
+}
+
+glm::uvec4 texel_of(const vec3& position, std::uint32_t w) { return {glm::floatBitsToUint(position), w}; }
+
 /// Collapses the binary hierarchy into nodes of four children with quantised boxes.
 class Collapser {
  public:
-  Collapser(const std::vector<BinaryNode>& binary, std::vector<shared::BvhNode>& nodes)
-      : binary_(binary), nodes_(nodes) {}
+  Collapser(const std::vector<BinaryNode>& binary, std::span<const BvhPrimitive> primitives,
+            std::span<const TriangleCorners> triangles, Bvh& bvh)
+      : binary_(binary), primitives_(primitives), triangles_(triangles), bvh_(bvh) {}
 
-  /// Node for binary node `root`, appended with its descendants; returns the number of levels.
-  std::uint32_t collapse(std::uint32_t root) {
-    const auto at = nodes_.size();
-    nodes_.emplace_back();
-    std::array<std::uint32_t, width> children{};
+  void collapse() {
+    bvh_.places.resize(triangles_.size());
+    const std::size_t root = add_block();
+    overflow_ = {root + 1, root + shared::BLOCK_SIZE};
+    bvh_.stack_size = collapse(0, root);
+    bvh_.items.shrink_to_fit();
+    bvh_.sah_cost = visit_cost_ / std::max(1e-30, static_cast<double>(binary_.front().box.half_area()));
+  }
+
+ private:
+  /// Makes the item a node for binary node `root`, and appends its descendants; returns the number of levels.
+  std::uint32_t collapse(std::uint32_t root, std::size_t item) {
+    Children children{};
     const std::uint32_t count = gather_children(root, children);
-    nodes_[at] = quantise(binary_[root].box, children, count);
+    const auto is_inner = [&](std::uint32_t child) { return binary_[child].count == 0; };
+    const auto leaves = std::stable_partition(children.begin(), children.begin() + count, is_inner);
+    const auto inner_count = static_cast<std::uint32_t>(leaves - children.begin());
+    const std::size_t first = add_block();
+    shared::BvhNode node = quantise(binary_[root].box, children, count);
+    node.lower_header.w =
+        static_cast<std::uint32_t>(first / shared::BLOCK_SIZE) << shared::HEADER_INNER_BITS | inner_count;
+    set_item(bvh_.items[item], node);
+    ++bvh_.node_count;
     visit_cost_ += binary_[root].box.half_area();
     std::uint32_t deepest = 0;
-    for (std::uint32_t c = 0; c < count; ++c) {
-      const BinaryNode& child = binary_[children[c]];
-      if (child.count > 0) {
-        nodes_[at].children[static_cast<int>(c)] =
-            shared::REFERENCE_LEAF | (child.count << shared::REFERENCE_COUNT_SHIFT) | child.first;
-        visit_cost_ += static_cast<double>(child.box.half_area()) * child.count;
-      } else {
-        nodes_[at].children[static_cast<int>(c)] = static_cast<std::uint32_t>(nodes_.size());
-        deepest = std::max(deepest, collapse(children[c]));
-      }
-    }
+    for (std::uint32_t c = 0; c < inner_count; ++c)
+      deepest = std::max(deepest, collapse(children[c], first + c));
+    Range spare{first + count, first + shared::BLOCK_SIZE};
+    for (std::uint32_t c = inner_count; c < count; ++c) place_leaf(binary_[children[c]], first + c, spare);
     return 1 + deepest;
   }
 
-  /// Sum over nodes of half area, and over leaves of half area times triangles.
-  [[nodiscard]] double visit_cost() const { return visit_cost_; }
+  struct Range {
+    std::size_t begin;
+    std::size_t end;
+  };
 
- private:
+  /// Returns the first of its items.
+  std::size_t add_block() {
+    bvh_.items.resize(bvh_.items.size() + shared::BLOCK_SIZE);
+    return bvh_.items.size() - shared::BLOCK_SIZE;
+  }
+
+  /// An item for a triangle that is not its leaf's first: one that its block has to spare, or else one of a
+  /// block of such.
+  std::size_t further_item(Range& spare) {
+    if (spare.begin < spare.end) return spare.begin++;
+    if (overflow_.begin == overflow_.end) {
+      const std::size_t block = add_block();
+      overflow_ = {block, block + shared::BLOCK_SIZE};
+    }
+    return overflow_.begin++;
+  }
+
+  /// Lays the leaf's triangles down, the first as this item.
+  void place_leaf(const BinaryNode& leaf, std::size_t item, Range& spare) {
+    visit_cost_ += static_cast<double>(leaf.box.half_area()) * leaf.count;
+    for (std::uint32_t k = 0; k < leaf.count; ++k) {
+      const std::uint32_t index = primitives_[leaf.first + k].index;
+      const TriangleCorners& corners = triangles_[index];
+      const std::size_t next = k + 1 < leaf.count ? further_item(spare) : 0;
+      set_item(bvh_.items[item],
+               shared::TriangleRecord{texel_of(corners[0], 0), texel_of(corners[1], 0),
+                                      texel_of(corners[2], static_cast<std::uint32_t>(next))});
+      bvh_.places[index] = static_cast<std::uint32_t>(item);
+      item = next;
+    }
+  }
+
   /// Opens the child of largest area until there are four or only leaves.
-  std::uint32_t gather_children(std::uint32_t root, std::array<std::uint32_t, width>& children) const {
+  std::uint32_t gather_children(std::uint32_t root, Children& children) const {
     if (binary_[root].count > 0) {
       children[0] = root;
       return 1;
@@ -82,11 +133,9 @@ class Collapser {
     return count;
   }
 
-  [[nodiscard]] shared::BvhNode quantise(const Box& box, const std::array<std::uint32_t, width>& children,
+  [[nodiscard]] shared::BvhNode quantise(const Box& box, const Children& children,
                                          std::uint32_t count) const {
     shared::BvhNode node{};
-    std::array<glm::uint, 3> lower{};
-    std::array<glm::uint, 3> upper{};
     for (int a = 0; a < 3; ++a) {
       const std::uint32_t exponent = step_exponent(box.extent()[a]);
       const double step = std::ldexp(1.0, static_cast<int>(exponent) - 127);
@@ -104,19 +153,19 @@ class Collapser {
           hi =
               static_cast<std::uint32_t>(std::clamp(std::ceil((child.upper[a] - origin) / step), 0.0, 255.0));
         }
-        lower[static_cast<std::size_t>(a)] |= lo << (8 * c);
-        upper[static_cast<std::size_t>(a)] |= hi << (8 * c);
+        node.lower_header[a] |= lo << (8 * c);
+        node.upper[a] |= hi << (8 * c);
       }
     }
-    node.children = glm::uvec4(shared::REFERENCE_LEAF);
-    node.lower = {lower[0], lower[1], lower[2], upper[0]};
-    node.upper = {upper[1], upper[2], 0, 0};
     return node;
   }
 
   const std::vector<BinaryNode>& binary_;
-  std::vector<shared::BvhNode>& nodes_;
-  double visit_cost_ = 0;
+  std::span<const BvhPrimitive> primitives_;
+  std::span<const TriangleCorners> triangles_;
+  Bvh& bvh_;
+  Range overflow_{};       ///< free items of the block that takes triangles for which their own has no room
+  double visit_cost_ = 0;  ///< sum over nodes of half area, and over leaves of half area times triangles
 };
 
 std::vector<BvhPrimitive> make_primitives(std::span<const TriangleCorners> triangles) {
@@ -133,36 +182,30 @@ std::vector<BvhPrimitive> make_primitives(std::span<const TriangleCorners> trian
 }  // namespace
 
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
-  if (triangles.size() > largest_triangle_count) {
-    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(),
-                                 largest_triangle_count));
+  constexpr std::size_t most_items = std::size_t{shared::LARGEST_BLOCK_COUNT} * shared::BLOCK_SIZE;
+  if (triangles.size() >= most_items) {
+    throw InputError(
+        fmt::format("the scene has {} triangles; fewer than {} are supported", triangles.size(), most_items));
   }
   Bvh bvh;
   if (triangles.empty()) {
     // A root whose four children are empty boxes at the origin.
     shared::BvhNode root{};
     root.origin_exponents.w = 0x010101;
-    root.children = glm::uvec4(shared::REFERENCE_LEAF);
-    root.lower = {0xffffffffU, 0xffffffffU, 0xffffffffU, 0};
-    bvh.nodes.push_back(root);
+    root.lower_header = {0xffffffffU, 0xffffffffU, 0xffffffffU, 0};
+    set_item(bvh.items.emplace_back(), root);
+    bvh.node_count = 1;
     bvh.stack_size = 1;
     return bvh;
   }
   std::vector<BvhPrimitive> primitives = make_primitives(triangles);
   const std::vector<BinaryNode> binary = build_binary_bvh(primitives);
   bvh.bounds = binary.front().box;
-  bvh.nodes.reserve(binary.size() / 2);
-  Collapser collapser(binary, bvh.nodes);
-  bvh.stack_size = collapser.collapse(0);
-  if (bvh.nodes.size() > shared::LARGEST_NODE_COUNT) {
-    throw InputError(fmt::format("the BVH has {} nodes; at most {} are supported", bvh.nodes.size(),
-                                 shared::LARGEST_NODE_COUNT));
+  Collapser(binary, primitives, triangles, bvh).collapse();
+  if (bvh.items.size() > most_items) {
+    throw InputError(fmt::format("the BVH of {} triangles has {} nodes; at most {} are supported",
+                                 triangles.size(), bvh.node_count, shared::LARGEST_BLOCK_COUNT));
   }
-  bvh.nodes.shrink_to_fit();
-  bvh.sah_cost = collapser.visit_cost() / std::max(1e-30, static_cast<double>(bvh.bounds.half_area()));
-  bvh.order.resize(primitives.size());
-  std::transform(primitives.begin(), primitives.end(), bvh.order.begin(),
-                 [](const BvhPrimitive& p) { return p.index; });
   return bvh;
 }
 

@@ -2,6 +2,7 @@
 // The acceleration structure that the kernels traverse: a bounding volume hierarchy of four children a node
 // with quantised boxes, built over triangles by the surface area heuristic on all cores.
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,15 +16,20 @@ namespace facet {
 using TriangleCorners = std::array<vec3, 3>;
 
 struct Bvh {
-  std::vector<shared::BvhNode> nodes;  ///< the first is the root
-  std::vector<std::uint32_t> order;    ///< triangle i of the leaves is order[i] of the input
-  std::uint32_t stack_size = 0;        ///< levels of nodes: entries that a traversal needs at most
+  std::vector<shared::BvhItem> items;  ///< the first is the root; triangles lack mesh and index
+  std::vector<std::uint32_t> places;   ///< item of each triangle of the input
+  std::size_t node_count = 0;
+  std::uint32_t stack_size = 0;  ///< levels of nodes: entries that a traversal needs at most
   Box bounds;
   double sah_cost = 0;  ///< expected node visits plus triangle tests of a random ray that hits the root's box
-};
 
-/// Most triangles that a leaf reference can address.
-inline constexpr std::size_t largest_triangle_count = shared::REFERENCE_FIRST_MASK;
+  [[nodiscard]] shared::BvhNode node(std::size_t item) const {
+    return std::bit_cast<shared::BvhNode>(items[item]);
+  }
+  [[nodiscard]] shared::TriangleRecord triangle(std::size_t item) const {
+    return std::bit_cast<shared::TriangleRecord>(items[item]);
+  }
+};
 
 /// Builds the hierarchy; deterministic, whatever the number of threads. Empty input gives a root without
 /// children.

@@ -100,7 +100,7 @@ class Embree : public Yardstick {
 
   void attach(const PackedScene& packed) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const std::size_t count = packed.triangles.size();
+    const std::size_t count = packed.triangle_count();
     auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
@@ -108,7 +108,7 @@ class Embree : public Yardstick {
     if (positions == nullptr || indices == nullptr)
       throw DeviceError("Embree has no memory for the triangles");
     for (std::size_t i = 0; i < count; ++i) {
-      const shared::TriangleRecord& t = packed.triangles[i];
+      const shared::TriangleRecord t = packed.bvh.triangle(packed.bvh.places[i]);
       for (const glm::uvec4& v : {t.v0, t.v1, t.v2}) {
         const vec3 p = vertex_position(v);
         for (int a = 0; a < 3; ++a) *positions++ = p[a];

@@ -43,7 +43,7 @@ class RayMaker {
   explicit RayMaker(const PackedScene& packed) : packed_(packed) {}
 
   [[nodiscard]] Place place_of(const RayRecord& ray, const shared::HitRecord& hit) const {
-    const shared::TriangleRecord& t = packed_.triangles[hit.triangle];
+    const shared::TriangleRecord t = packed_.bvh.triangle(hit.triangle);
     const vec3 a = vertex_position(t.v0);
     const vec3 b = vertex_position(t.v1);
     const vec3 c = vertex_position(t.v2);
@@ -65,7 +65,7 @@ class RayMaker {
     if (packed_.emitter_triangles.empty()) return bounce(at, ray + (std::size_t{1} << 31U));
     const auto count = packed_.emitter_triangles.size();
     const auto chosen = std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
-    const shared::TriangleRecord& t = packed_.triangles[packed_.emitter_triangles[chosen].triangle];
+    const shared::TriangleRecord t = packed_.bvh.triangle(packed_.emitter_triangles[chosen].triangle);
     const vec3 a = vertex_position(t.v0);
     const vec3 b = vertex_position(t.v1);
     const vec3 c = vertex_position(t.v2);

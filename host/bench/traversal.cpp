@@ -121,7 +121,7 @@ TraversalResult measure_traversal(gpu::Device& device, const std::string& name, 
   scene.meshes.clear();
   RayTracer tracer(device, packed, static_cast<std::uint32_t>(camera.size()));
   const std::unique_ptr<Yardstick> yardstick = make_yardstick(packed);
-  TraversalResult result{name, packed.triangles.size(), {}, {}};
+  TraversalResult result{name, packed.triangle_count(), {}, {}};
   result.build = {packed.bvh_seconds, tracer.geometry_bytes(), packed.bvh.sah_cost, {}, {}};
   if (yardstick) {
     result.build.yardstick_seconds = yardstick->build_seconds();

@@ -86,9 +86,9 @@ ExitCode print_info(const InfoOptions& options) {
   print_warnings(diagnostics);
   const PackedScene packed = pack_scene(scene);
   const Features features = find_features(scene, RenderSettings{});
-  const std::size_t geometry = bytes_of(packed.bvh.nodes) + bytes_of(packed.triangles) +
-                               bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
-                               bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
+  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.normal_indices) +
+                               bytes_of(packed.normals) + bytes_of(packed.texcoord_indices) +
+                               bytes_of(packed.texcoords);
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
                            bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
                            bytes_of(packed.texels);
@@ -96,7 +96,7 @@ ExitCode print_info(const InfoOptions& options) {
              scene.camera.height, scene.sample_count, name_of(scene.sampler),
              scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
   fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
-             packed.triangles.size());
+             packed.triangle_count());
   for (const Mesh& mesh : scene.meshes) fmt::print("  {}\n", describe(mesh, scene));
   fmt::print("bsdfs: {}, textures: {}, emitters: {}\n", scene.bsdfs.size(), scene.textures.size(),
              scene.emitters.size());
@@ -104,13 +104,13 @@ ExitCode print_info(const InfoOptions& options) {
     fmt::print("  {}: chosen with probability {:.3g}\n", describe(scene.emitters[i], scene),
                packed.emitters[i].probability);
   }
-  fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.nodes.size(),
+  fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.node_count,
              packed.bvh.sah_cost, packed.bvh.stack_size, packed.bvh_seconds);
   fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters and textures {}B\n",
              with_unit_prefix(static_cast<double>(geometry)),
-             packed.triangles.empty()
+             packed.triangle_count() == 0
                  ? 0.0
-                 : static_cast<double>(geometry) / static_cast<double>(packed.triangles.size()),
+                 : static_cast<double>(geometry) / static_cast<double>(packed.triangle_count()),
              with_unit_prefix(static_cast<double>(rest)));
   fmt::print("compiled for it: {}\n", fmt::join(features.names(), ", "));
   return ExitCode::done;

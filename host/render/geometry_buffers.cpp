@@ -8,14 +8,13 @@ namespace {
 
 /// Texel buffers where the device has enough of them for all that is read so, and large enough ones.
 GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, bool force_storage_buffers) {
-  const std::size_t texels = std::max({packed.bvh.nodes.size() * sizeof(shared::BvhNode),
-                                       packed.triangles.size() * sizeof(shared::TriangleRecord),
+  const std::size_t texels = std::max({packed.bvh.items.size() * sizeof(shared::BvhItem),
                                        packed.bsdfs.size() * sizeof(shared::BsdfRecord),
                                        packed.emitters.size() * sizeof(shared::EmitterRecord),
                                        packed.meshes.size() * sizeof(shared::MeshRecord),
                                        most_slots * sizeof(shared::ShadowRayRecord)}) /
                              sizeof(glm::uvec4);
-  constexpr std::uint32_t images = 2 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
+  constexpr std::uint32_t images = 1 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
   const bool fits = texels <= device.limits().maxTexelBufferElements &&
                     images <= device.limits().maxPerStageDescriptorStorageImages;
   return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
@@ -30,30 +29,22 @@ vk::BufferUsageFlagBits usage_of(GeometryFetch fetch) {
 
 GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers)
     : fetch_(choose_fetch(device, packed, force_storage_buffers)),
-      nodes_(make_record_buffer(device, packed.bvh.nodes, "the BVH", usage_of(fetch_))),
-      triangles_(make_record_buffer(device, packed.triangles, "the triangles", usage_of(fetch_))) {
-  if (fetch_ != GeometryFetch::texel_buffer) return;
-  views_.push_back(gpu::make_texel_view(device, nodes_));
-  views_.push_back(gpu::make_texel_view(device, triangles_));
+      items_(make_record_buffer(device, packed.bvh.items, "the BVH", usage_of(fetch_))) {
+  if (fetch_ == GeometryFetch::texel_buffer) view_.emplace(gpu::make_texel_view(device, items_));
 }
 
 std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
   std::vector<vk::DescriptorType> types(shared::BUFFER_BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
   types[shared::BINDING_FRAME] = vk::DescriptorType::eUniformBuffer;
   if (fetch_ == GeometryFetch::texel_buffer) {
-    types[shared::BINDING_NODES] = vk::DescriptorType::eStorageTexelBuffer;
-    types[shared::BINDING_TRIANGLES] = vk::DescriptorType::eStorageTexelBuffer;
+    types[shared::BINDING_BVH] = vk::DescriptorType::eStorageTexelBuffer;
     types.resize(shared::BINDING_COUNT, vk::DescriptorType::eStorageTexelBuffer);
   }
   return types;
 }
 
 void GeometryBuffers::bind(std::vector<gpu::Binding>& bindings) const {
-  bindings[shared::BINDING_NODES].buffer = &nodes_;
-  bindings[shared::BINDING_TRIANGLES].buffer = &triangles_;
-  if (views_.empty()) return;
-  bindings[shared::BINDING_NODES].view = &views_[0];
-  bindings[shared::BINDING_TRIANGLES].view = &views_[1];
+  bindings[shared::BINDING_BVH] = {&items_, view_ ? &*view_ : nullptr};
 }
 
 }  // namespace facet

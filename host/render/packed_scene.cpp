@@ -27,11 +27,6 @@ TriangleCorners corners_of(const Mesh& mesh, std::size_t i) {
   return {mesh.positions[p.x], mesh.positions[p.y], mesh.positions[p.z]};
 }
 
-glm::uvec4 position_record(const vec3& p, std::uint32_t w) {
-  return {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
-          std::bit_cast<std::uint32_t>(p.z), w};
-}
-
 class Packer {
  public:
   explicit Packer(const Scene& scene) : scene_(scene) {}
@@ -41,10 +36,9 @@ class Packer {
     const auto start = std::chrono::steady_clock::now();
     packed_.bvh = build_bvh(corners_);
     packed_.bvh_seconds = seconds_since(start);
-    gather_attributes();
-    pack_triangles();
+    name_triangles();
+    pack_meshes();
     for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));
-    for (const Mesh& mesh : scene_.meshes) packed_.meshes.push_back({mesh.bsdf, mesh.emitter, 0, 0});
     const TextureTable textures = make_texture_table(scene_.textures);
     packed_.textures = textures.records;
     packed_.texels = textures.texels;
@@ -70,47 +64,50 @@ class Packer {
     }
   }
 
-  void gather_attributes() {
-    for (const Mesh& mesh : scene_.meshes) {
-      first_normal_.push_back(static_cast<std::uint32_t>(packed_.normals.size()));
-      if (!mesh.normal_indices.empty())
-        packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
-      first_texcoord_.push_back(static_cast<std::uint32_t>(packed_.texcoords.size()));
-      if (has_textures() && !mesh.texcoord_indices.empty())
-        packed_.texcoords.insert(packed_.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
+  [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
+
+  /// Appends a mesh's indices of one attribute, moved to the scene's list of it; x = none for triangles
+  /// without.
+  static void append_indices(std::vector<glm::uvec4>& to, const std::vector<uvec3>& indices,
+                             std::size_t triangles, std::size_t first) {
+    for (std::size_t i = 0; i < triangles; ++i) {
+      const bool has = !indices.empty() && indices[i].x != none;
+      to.push_back(has ? glm::uvec4(indices[i] + static_cast<std::uint32_t>(first), 0) : glm::uvec4(none));
     }
   }
 
-  [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
-
-  /// A triangle's indices of one attribute, moved to the scene's list; x = none without.
-  static glm::uvec4 attribute_of(const std::vector<uvec3>& indices, std::uint32_t triangle,
-                                 std::uint32_t first) {
-    if (indices.empty() || indices[triangle].x == none) return glm::uvec4(none);
-    return {indices[triangle] + first, 0};
+  /// Normals and texture coordinates of the meshes that have either.
+  void pack_meshes() {
+    std::size_t first_triangle = 0;
+    std::size_t rows = 0;
+    for (const Mesh& mesh : scene_.meshes) {
+      const std::size_t count = mesh.position_indices.size();
+      const bool textured = has_textures() && !mesh.texcoord_indices.empty();
+      std::uint32_t attributes = none;
+      if (textured || !mesh.normal_indices.empty()) {
+        attributes = static_cast<std::uint32_t>(first_triangle - rows);
+        rows += count;
+        append_indices(packed_.normal_indices, mesh.normal_indices, count, packed_.normals.size());
+        if (!mesh.normal_indices.empty())
+          packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        if (has_textures())
+          append_indices(packed_.texcoord_indices, mesh.texcoord_indices, count, packed_.texcoords.size());
+        if (textured)
+          packed_.texcoords.insert(packed_.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
+      }
+      packed_.meshes.push_back({mesh.bsdf, mesh.emitter, attributes, 0});
+      first_triangle += count;
+    }
   }
 
-  /// Index of the triangle's vertex normals and texture coordinates, none without either.
-  std::uint32_t add_attributes(const SourceTriangle& source) {
-    const Mesh& mesh = scene_.meshes[source.mesh];
-    const glm::uvec4 n = attribute_of(mesh.normal_indices, source.index, first_normal_[source.mesh]);
-    glm::uvec4 t(none);
-    if (has_textures()) t = attribute_of(mesh.texcoord_indices, source.index, first_texcoord_[source.mesh]);
-    if (n.x == none && t.x == none) return none;
-    packed_.normal_indices.push_back(n);
-    if (has_textures()) packed_.texcoord_indices.push_back(t);
-    return static_cast<std::uint32_t>(packed_.normal_indices.size() - 1);
-  }
-
-  void pack_triangles() {
-    packed_.triangles.reserve(sources_.size());
-    place_.resize(sources_.size());
-    for (const std::uint32_t s : packed_.bvh.order) {
-      const SourceTriangle& source = sources_[s];
-      const TriangleCorners& c = corners_[s];
-      place_[s] = static_cast<std::uint32_t>(packed_.triangles.size());
-      packed_.triangles.push_back({position_record(c[0], source.mesh), position_record(c[1], source.id),
-                                   position_record(c[2], add_attributes(source))});
+  /// Tells each triangle its mesh and its index in the scene.
+  void name_triangles() {
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+      const std::size_t item = packed_.bvh.places[s];
+      shared::TriangleRecord triangle = packed_.bvh.triangle(item);
+      triangle.v0.w = sources_[s].mesh;
+      triangle.v1.w = sources_[s].id;
+      packed_.bvh.items[item] = std::bit_cast<shared::BvhItem>(triangle);
     }
   }
 
@@ -121,7 +118,7 @@ class Packer {
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       if (sources_[s].mesh != mesh) continue;
       areas.push_back(triangle_area(scene_.meshes[mesh], sources_[s].index));
-      packed_.emitter_triangles.push_back({0, place_[s]});
+      packed_.emitter_triangles.push_back({0, packed_.bvh.places[s]});
     }
     const std::vector<std::uint32_t> counts = cumulative_counts(areas);
     for (std::size_t i = 0; i < counts.size(); ++i)
@@ -159,8 +156,7 @@ class Packer {
     packed_.environment = make_environment_table(e);
     packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
     packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
-    const double radius =
-        packed_.triangles.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
+    const double radius = sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
     return 4 * std::numbers::pi * std::numbers::pi * radius * radius * packed_.environment.mean_luminance;
   }
 
@@ -228,9 +224,6 @@ class Packer {
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
   std::vector<TriangleCorners> corners_;
-  std::vector<std::uint32_t> place_;           ///< of a source triangle in the BVH's order
-  std::vector<std::uint32_t> first_normal_;    ///< of each mesh
-  std::vector<std::uint32_t> first_texcoord_;  ///< likewise
 };
 
 }  // namespace

@@ -11,9 +11,8 @@
 namespace facet {
 
 struct PackedScene {
-  Bvh bvh;
-  std::vector<shared::TriangleRecord> triangles;  ///< in the BVH's order; triangles without area are left out
-  std::vector<glm::uvec4> normal_indices;         ///< by attribute index; x = none: without normals
+  Bvh bvh;                                 ///< triangles without area are left out
+  std::vector<glm::uvec4> normal_indices;  ///< a triangle's by MeshRecord::attributes; x = none: without
   std::vector<vec3> normals;
   std::vector<glm::uvec4> texcoord_indices;  ///< likewise; empty where the scene has no textures
   std::vector<vec2> texcoords;
@@ -28,6 +27,8 @@ struct PackedScene {
   FilterTable filter;
   shared::FrameRecord frame{};  ///< camera and emitters; crop, seed and depth are the renderer's
   double bvh_seconds = 0;
+
+  [[nodiscard]] std::size_t triangle_count() const { return bvh.places.size(); }
 };
 
 /// The position that a triangle's texel holds, world space.

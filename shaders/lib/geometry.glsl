@@ -1,4 +1,4 @@
-// Fetches of nodes and triangles, and the two tests of traversal. The one build variant of the kernels is here: texel
+// Fetches of the BVH's items, and the two tests of traversal. The one build variant of the kernels is here: texel
 // buffers, read as images (the fast load of lavapipe, inlined, unlike texelFetch), or, where a device's are too small, storage
 // buffers.
 #ifndef FACET_GEOMETRY_GLSL
@@ -8,19 +8,17 @@
 #include "frame.glsl"
 
 #ifdef FACET_NO_TEXEL_BUFFERS
-layout(std430, binding = BINDING_NODES) readonly buffer Nodes { uvec4 node_texels[]; };
-layout(std430, binding = BINDING_TRIANGLES) readonly buffer Triangles { uvec4 triangle_texels[]; };
-uvec4 node_texel(uint i) { return node_texels[i]; }
-uvec4 triangle_texel(uint i) { return triangle_texels[i]; }
+layout(std430, binding = BINDING_BVH) readonly buffer BvhItems { uvec4 bvh_texels[]; };
+uvec4 bvh_texel(uint i) { return bvh_texels[i]; }
 #else
-layout(binding = BINDING_NODES, rgba32ui) uniform readonly uimageBuffer node_texels;
-layout(binding = BINDING_TRIANGLES, rgba32ui) uniform readonly uimageBuffer triangle_texels;
-uvec4 node_texel(uint i) { return imageLoad(node_texels, int(i)); }
-uvec4 triangle_texel(uint i) { return imageLoad(triangle_texels, int(i)); }
+layout(binding = BINDING_BVH, rgba32ui) uniform readonly uimageBuffer bvh_texels;
+uvec4 bvh_texel(uint i) { return imageLoad(bvh_texels, int(i)); }
 #endif
 
-TriangleRecord fetch_triangle(uint i) {
-  return TriangleRecord(triangle_texel(3u * i), triangle_texel(3u * i + 1u), triangle_texel(3u * i + 2u));
+BvhNode fetch_node(uint item) { return BvhNode(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u)); }
+
+TriangleRecord fetch_triangle(uint item) {
+  return TriangleRecord(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u));
 }
 
 /// Position kept in a triangle's texel, world space.
@@ -56,26 +54,23 @@ TraversalRay traversal_ray(RayRecord r) {
 
 vec4 unpack_bytes(uint w) { return vec4(uvec4(w, w >> 8u, w >> 16u, w >> 24u) & 255u); }
 
-/// Distance at which the ray enters each child of node i, LARGEST where it misses the child. Conservative: planes are moved
+/// Distance at which the ray enters each child of a node, LARGEST where it misses the child. Conservative: planes are moved
 /// outwards by a bound of all rounding errors of this test and of the triangle test, 2^-19 of the coordinate differences
 /// involved (after T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). Distances are compared as integers, which order alike
 /// from t_min on, since that is not negative; min and max of floats cost lavapipe three instructions each, for NaN's sake. Nothing
 /// here overflows while coordinates stay below 1e20.
-vec4 intersect_children(TraversalRay ray, uint i, float t_max) {
-  uvec4 origin_exponents = node_texel(4u * i);
-  uvec4 planes = node_texel(4u * i + 2u);
-  uvec2 more_planes = node_texel(4u * i + 3u).xy;
-  uint e = origin_exponents.w;
+vec4 intersect_children(TraversalRay ray, BvhNode node, float t_max) {
+  uint e = node.origin_exponents.w;
   vec3 scale = uintBitsToFloat(uvec3(e & 255u, (e >> 8u) & 255u, (e >> 16u) & 255u) << 23u);
-  vec3 base = uintBitsToFloat(origin_exponents.xyz) - ray.origin;
+  vec3 base = uintBitsToFloat(node.origin_exponents.xyz) - ray.origin;
   vec3 reach = abs(base) + 256.0 * scale;
   vec3 slack = (reach.x + reach.y + reach.z) * ray.slack;
   vec3 step = scale * ray.inverse;
   vec3 middle = base * ray.inverse;
   vec3 near_base = middle - slack;
   vec3 far_base = middle + slack;
-  uvec3 lower = planes.xyz;
-  uvec3 upper = uvec3(planes.w, more_planes);
+  uvec3 lower = node.lower_header.xyz;
+  uvec3 upper = node.upper.xyz;
   bvec3 backwards = lessThan(ray.inverse, vec3(0.0));
   uvec3 near_planes = uvec3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
   uvec3 far_planes = uvec3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
@@ -88,14 +83,14 @@ vec4 intersect_children(TraversalRay ray, uint i, float t_max) {
   return mix(vec4(LARGEST), intBitsToFloat(t_near), lessThanEqual(t_near, t_far));
 }
 
-/// The ray against triangle i. Returns (t, b1, b2) and whether it is hit at t_min < t < t_max.
+/// The ray against a triangle. Returns (t, b1, b2) and whether it is hit at t_min < t < t_max.
 /// Watertight: the vertices are projected along the ray, alike for every triangle that shares them, and an edge's
 /// function changes only its sign between the two triangles beside it
 /// (after S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
-bool intersect_triangle(TraversalRay ray, uint i, float t_max, out vec3 t_b1_b2) {
-  vec3 a = vertex_position(triangle_texel(3u * i)) - ray.origin;
-  vec3 b = vertex_position(triangle_texel(3u * i + 1u)) - ray.origin;
-  vec3 c = vertex_position(triangle_texel(3u * i + 2u)) - ray.origin;
+bool intersect_triangle(TraversalRay ray, TriangleRecord triangle, float t_max, out vec3 t_b1_b2) {
+  vec3 a = vertex_position(triangle.v0) - ray.origin;
+  vec3 b = vertex_position(triangle.v1) - ray.origin;
+  vec3 c = vertex_position(triangle.v2) - ray.origin;
   vec2 pa = vec2(dot3(ray.across.s, a), dot3(ray.across.t, a));
   vec2 pb = vec2(dot3(ray.across.s, b), dot3(ray.across.t, b));
   vec2 pc = vec2(dot3(ray.across.s, c), dot3(ray.across.t, c));

@@ -3,7 +3,7 @@
 #define FACET_PENDING_GLSL
 #include "specialization.glsl"
 
-/// Entries, the top first; 0 where there is none. An entry is a node's index above a list of up to three of its children: two
+/// Entries, the top first; 0 where there is none. An entry is a node's header above a list of up to three of its children: two
 /// bits each, the next one lowest, under a leading 1.
 /// In registers that shift, and no array: lavapipe stores to an array lane by lane, with a branch each, which took 60 % of
 /// the time of traversal. STACK_SIZE leaves only as many as the tree needs.
@@ -30,9 +30,24 @@ uint with_next(uint list, uint child) { return (list << 2u) | child; }
 uint next_of(uint list) { return list & 3u; }
 uint without_next(uint list) { return list >> 2u; }
 
-uint pending_entry(uint node, uint list) { return (node << LIST_BITS) | list; }
-uint entry_node(uint entry) { return entry >> LIST_BITS; }
-uint entry_list(uint entry) { return entry & LIST_MASK; }
+/// Children of one node that a ray meets.
+struct ChildList {
+  bool any;
+  uint first;  // where there is any
+  uint rest;   // list of the others
+};
+
+/// Where a traversal is: an item of the BVH, marked if it is a leaf's first triangle.
+const uint ROOT = 0u;
+const uint LEAF = 0x80000000u;
+const uint NOWHERE = 0xffffffffu;
+
+bool is_leaf(uint place) { return (place & LEAF) != 0u; }
+uint leaf_item(uint place) { return place & ~LEAF; }
+uint child_place(uint header, uint child) {
+  uint item = (header >> HEADER_INNER_BITS) * BLOCK_SIZE + child;
+  return child >= (header & HEADER_INNER_MASK) ? item | LEAF : item;
+}
 
 /// Puts an entry on top where `which`.
 void push(inout Pending p, bool which, uint entry) {
@@ -58,11 +73,21 @@ void pop(inout Pending p, bool which) {
   if (STACK_SIZE > 28u) p.h = which ? uvec4(p.h.yzw, 0u) : p.h;
 }
 
-/// Takes the next child off the top entry where `which`.
-void drop_next(inout Pending p, bool which) {
-  uint left = without_next(entry_list(p.a.x));
-  p.a.x = which ? pending_entry(entry_node(p.a.x), left) : p.a.x;
-  pop(p, which && left <= EMPTY_LIST);
+/// The next pending child, NOWHERE without one; takes it off where `which`.
+uint take_pending(inout Pending p, bool which) {
+  uint top = p.a.x;
+  uint header = top >> LIST_BITS;
+  uint rest = without_next(top & LIST_MASK);
+  p.a.x = which ? (header << LIST_BITS) | rest : top;
+  pop(p, which && rest <= EMPTY_LIST);
+  return top == 0u ? NOWHERE : child_place(header, next_of(top));
+}
+
+/// What comes after a node: the first of its children that the ray meets, while the others wait, or else the next pending child.
+uint take_next(inout Pending p, uint header, ChildList children) {
+  uint next = take_pending(p, !children.any);
+  push(p, children.any && children.rest > EMPTY_LIST, (header << LIST_BITS) | children.rest);
+  return children.any ? child_place(header, children.first) : next;
 }
 
 #endif

@@ -3,6 +3,7 @@
 #define FACET_SURFACE_GLSL
 #include "bindings.glsl"
 #include "geometry.glsl"
+#include "records.glsl"
 #include "specialization.glsl"
 
 struct Surface {
@@ -16,7 +17,7 @@ struct Surface {
 
 vec3 fetch_normal(uint i) { return vec3(normals[3u * i], normals[3u * i + 1u], normals[3u * i + 2u]); }
 
-/// The point of triangle i with barycentric weights b1 and b2 of its second and third vertex.
+/// The point of the triangle that is BVH item i, with barycentric weights b1 and b2 of its second and third vertex.
 Surface surface_at(uint i, float b1, float b2) {
   TriangleRecord triangle = fetch_triangle(i);
   vec3 v0 = vertex_position(triangle.v0);
@@ -32,10 +33,11 @@ Surface surface_at(uint i, float b1, float b2) {
   s.ng = normalize_safe(cross3(e1, e2));
   s.ns = s.ng;
   s.mesh = triangle.v0.w;
-  uint index = triangle.v2.w;
-  bool listed = index != NONE;
+  uint attributes = SHADING_NORMALS || TEXTURE_KINDS != 0u ? fetch_mesh(s.mesh).attributes : NONE;
+  bool listed = attributes != NONE;
+  uint index = listed ? triangle.v1.w - attributes : 0u;
   if (SHADING_NORMALS) {
-    uvec4 n = normal_indices[listed ? index : 0u];
+    uvec4 n = normal_indices[index];
     bool has = listed && n.x != NONE;
     n = has ? n : uvec4(0u);
     vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x) + b1 * fetch_normal(n.y)) + b2 * fetch_normal(n.z));
@@ -43,7 +45,7 @@ Surface surface_at(uint i, float b1, float b2) {
   }
   s.uv = vec2(b1, b2);
   if (TEXTURE_KINDS != 0u) {
-    uvec4 t = texcoord_indices[listed ? index : 0u];
+    uvec4 t = texcoord_indices[index];
     bool has = listed && t.x != NONE;
     t = has ? t : uvec4(0u);
     vec2 interpolated = (b0 * texcoords[t.x] + b1 * texcoords[t.y]) + b2 * texcoords[t.z];

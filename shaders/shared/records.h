@@ -8,41 +8,45 @@ FACET_SHARED_BEGIN
 /// No triangle was hit; also: no emitter, no normals.
 FACET_CONSTANT uint NONE = 0xffffffffu;
 
-// A child reference of a BVH node: an inner node's index, or a leaf: bit 31, three bits of triangle count (0
-// to 6), 28 bits of first triangle.
-FACET_CONSTANT uint REFERENCE_LEAF = 0x80000000u;
-FACET_CONSTANT uint REFERENCE_COUNT_SHIFT = 28u;
-FACET_CONSTANT uint REFERENCE_COUNT_MASK = 7u;
-FACET_CONSTANT uint REFERENCE_FIRST_MASK = 0x0fffffffu;
-/// Levels of a tree, and nodes, that the stack of a traversal has bits for.
-FACET_CONSTANT uint LARGEST_STACK_SIZE = 32u;
-FACET_CONSTANT uint LARGEST_NODE_COUNT = 1u << 25u;
-/// The stack is empty (a leaf of seven triangles, which the builder never makes).
-FACET_CONSTANT uint REFERENCE_DONE = 0xffffffffu;
+// The BVH is one array of items of 48 bytes, each a node or a triangle, each fetched as three RGBA32UI
+// texels. A node's four children are the items of one block, four in a row: inner nodes first, then leaves.
+// So whether child c is a leaf, and where it lies, follows from the node's header alone. The root is item 0.
 
-/// A BVH node of four children, 64 bytes, fetched as four RGBA32UI texels. A child's box along axis a is
-/// [origin[a] + lo * 2^e[a], origin[a] + hi * 2^e[a]], lo and hi being bytes of `lower` and `upper`.
-struct BvhNode {
-  uvec4 origin_exponents;  // x, y, z: bits of the floats; w: byte a is the biased exponent of axis a
-  uvec4 children;          // references
-  uvec4 lower;             // x, y, z: byte c is child c's lower plane; w: upper planes of x
-  uvec4 upper;             // x, y: upper planes of y and z; z, w: free
+/// Levels of a tree, and its blocks, that the stack of a traversal has bits for.
+FACET_CONSTANT uint LARGEST_STACK_SIZE = 32u;
+FACET_CONSTANT uint LARGEST_BLOCK_COUNT = 1u << 22u;
+FACET_CONSTANT uint BLOCK_SIZE = 4u;
+/// A node's header: the block of its children above the number of those that are inner nodes.
+FACET_CONSTANT uint HEADER_INNER_BITS = 3u;
+FACET_CONSTANT uint HEADER_INNER_MASK = 7u;
+
+/// An item of any kind.
+struct BvhItem {
+  uvec4 texels[3];
 };
 
-/// A triangle in the order of the BVH's leaves, 48 bytes, fetched as three RGBA32UI texels: integers, since
-/// small ones kept in floats would be denormals, which a device may flush. x, y, z: bits of the vertex'
-/// position, world space.
+/// A node. A child's box along axis a is [origin[a] + lo * 2^e[a], origin[a] + hi * 2^e[a]], lo and hi being
+/// bytes of `lower` and `upper`.
+struct BvhNode {
+  uvec4 origin_exponents;  // x, y, z: bits of the floats; w: byte a is the biased exponent of axis a
+  uvec4 lower_header;      // x, y, z: byte c is child c's lower plane; w: the header
+  uvec4 upper;             // x, y, z: byte c is child c's upper plane; w: unused
+};
+
+/// A triangle; its numbers are integers, since small ones kept in floats would be denormals, which a device
+/// may flush. x, y, z: bits of the vertex' position, world space.
 struct TriangleRecord {
   uvec4 v0;  // w: the mesh's index
   uvec4 v1;  // w: the triangle's index in the scene, in order of reading
-  uvec4 v2;  // w: index into the attributes' indices, NONE without any
+  uvec4 v2;  // w: item of the next triangle of this leaf, 0 after the last
 };
 
 struct MeshRecord {
   uint bsdf;
-  uint emitter;  // NONE for a mesh that does not emit
+  uint emitter;     // NONE for a mesh that does not emit
+  uint attributes;  // less than the triangle's index in the scene by this is its index into the attributes'
+                    // indices; NONE without any
   uint unused0;
-  uint unused1;
 };
 
 // Flags of a BSDF.
@@ -231,7 +235,8 @@ FACET_SHARED_END
 
 #ifdef __cplusplus
 namespace facet::shared {
-static_assert(sizeof(BvhNode) == 64 && sizeof(TriangleRecord) == 48 && sizeof(MeshRecord) == 16);
+static_assert(sizeof(BvhNode) == 48 && sizeof(TriangleRecord) == 48 && sizeof(BvhItem) == 48 &&
+              sizeof(MeshRecord) == 16);
 static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 8);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);

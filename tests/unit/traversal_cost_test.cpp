@@ -42,28 +42,36 @@ class Walk {
  private:
   struct Child {
     double t;
-    std::uint32_t reference;
+    unsigned index;
   };
 
-  void visit(std::uint32_t reference) {
-    if ((reference & shared::REFERENCE_LEAF) != 0) return visit_leaf(reference);
+  void visit(std::size_t item) {
     ++counts.nodes;
-    std::vector<Child> children = children_met(packed_.bvh.nodes[reference]);
+    const shared::BvhNode node = packed_.bvh.node(item);
+    const std::uint32_t header = node.lower_header.w;
+    const std::size_t block = std::size_t{header >> shared::HEADER_INNER_BITS} * shared::BLOCK_SIZE;
+    std::vector<Child> children = children_met(node);
     std::ranges::sort(children, {}, &Child::t);
-    for (const Child& c : children) visit(c.reference);
+    for (const Child& c : children) {
+      if (c.index < (header & shared::HEADER_INNER_MASK)) {
+        visit(block + c.index);
+      } else {
+        visit_leaf(block + c.index);
+      }
+    }
   }
 
-  void visit_leaf(std::uint32_t reference) {
-    const std::uint32_t count = reference >> shared::REFERENCE_COUNT_SHIFT & shared::REFERENCE_COUNT_MASK;
-    for (std::uint32_t k = 0; k < count; ++k) {
+  void visit_leaf(std::size_t item) {
+    while (item != 0) {
       ++counts.triangles;
-      intersect((reference & shared::REFERENCE_FIRST_MASK) + k);
+      intersect(item);
+      item = packed_.bvh.triangle(item).v2.w;
     }
   }
 
   /// T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
-  void intersect(std::uint32_t triangle) {
-    const shared::TriangleRecord& r = packed_.triangles[triangle];
+  void intersect(std::size_t item) {
+    const shared::TriangleRecord r = packed_.bvh.triangle(item);
     const dvec3 a = corner(r.v0);
     const dvec3 e1 = corner(r.v1) - a;
     const dvec3 e2 = corner(r.v2) - a;
@@ -73,7 +81,7 @@ class Walk {
     const dvec3 q = glm::cross(ray_.origin - a, e1);
     const double v = glm::dot(ray_.direction, q) / det;
     const double t = glm::dot(e2, q) / det;
-    if (u >= 0 && v >= 0 && u + v <= 1 && t > 1e-5 && t < hit.t) hit = {t, triangle};
+    if (u >= 0 && v >= 0 && u + v <= 1 && t > 1e-5 && t < hit.t) hit = {t, static_cast<std::uint32_t>(item)};
   }
 
   [[nodiscard]] std::vector<Child> children_met(const shared::BvhNode& node) const {
@@ -81,7 +89,6 @@ class Walk {
     for (unsigned c = 0; c < 4; ++c) {
       double near = 0;
       double far = hit.t;
-      const std::array<glm::uint, 3> upper{node.lower.w, node.upper.x, node.upper.y};
       for (int a = 0; a < 3; ++a) {
         const int exponent = static_cast<int>(node.origin_exponents.w >> (8 * a) & 255U) - 127;
         const double origin = std::bit_cast<float>(node.origin_exponents[a]);
@@ -89,12 +96,12 @@ class Walk {
           const double at = origin + std::ldexp(static_cast<double>(planes >> (8 * c) & 255U), exponent);
           return (at - ray_.origin[a]) / ray_.direction[a];
         };
-        const double lower_t = plane(node.lower[a]);
-        const double upper_t = plane(upper[static_cast<std::size_t>(a)]);
+        const double lower_t = plane(node.lower_header[a]);
+        const double upper_t = plane(node.upper[a]);
         near = std::max(near, ray_.direction[a] < 0 ? upper_t : lower_t);
         far = std::min(far, ray_.direction[a] < 0 ? lower_t : upper_t);
       }
-      if (near <= far) met.push_back({near, node.children[static_cast<int>(c)]});
+      if (near <= far) met.push_back({near, c});
     }
     return met;
   }
@@ -124,7 +131,7 @@ MeanCounts count_visits(const Scene& scene, const PackedScene& packed) {
     mean.camera.nodes += walk.counts.nodes / (side * side);
     mean.camera.triangles += walk.counts.triangles / (side * side);
     if (walk.hit.triangle == none) continue;
-    const shared::TriangleRecord& t = packed.triangles[walk.hit.triangle];
+    const shared::TriangleRecord t = packed.bvh.triangle(walk.hit.triangle);
     dvec3 n = glm::normalize(glm::cross(corner(t.v1) - corner(t.v0), corner(t.v2) - corner(t.v0)));
     if (glm::dot(n, ray.direction) > 0) n = -n;
     // Spirals over the sphere that touches the surface: directions of density cos/pi.
@@ -161,9 +168,8 @@ TEST(TraversalCost, rays_visit_no_more_nodes_and_triangles_than_they_did) {
 TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
   for (const std::size_t triangles : {1000U, 70'000U, 300'000U}) {
     const PackedScene packed = pack_scene(bench::generate_scene(triangles));
-    const double bytes = static_cast<double>(packed.bvh.nodes.size() * sizeof(shared::BvhNode) +
-                                             packed.triangles.size() * sizeof(shared::TriangleRecord));
-    EXPECT_LE(bytes / static_cast<double>(packed.triangles.size()), 66) << triangles;
+    const auto bytes = static_cast<double>(packed.bvh.items.size() * sizeof(shared::BvhItem));
+    EXPECT_LE(bytes / static_cast<double>(packed.triangle_count()), 66) << triangles;
   }
 }
 

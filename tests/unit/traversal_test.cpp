@@ -83,7 +83,7 @@ Comparison compare_with_brute_force(const Scene& scene, double slack, bool stora
   std::vector<std::string> complaints(rays.size());
   parallel_for(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t id = hits[i].triangle == none ? none : packed.triangles[hits[i].triangle].v1.w;
+      const std::uint32_t id = hits[i].triangle == none ? none : packed.bvh.triangle(hits[i].triangle).v1.w;
       complaints[i] = check_hit(rays[i], hits[i], id, triangles, slack);
     }
   });
@@ -170,7 +170,7 @@ TEST(Traversal, triangles_without_area_are_not_there) {
                       {0, 1, 1}}),
            bsdf::Diffuse{});
   set_camera(scene, 32, 60, {0, 0, -3}, {0, 0, 0});
-  EXPECT_EQ(pack_scene(scene).triangles.size(), 1U);
+  EXPECT_EQ(pack_scene(scene).triangle_count(), 1U);
   expect_right_hits(scene, 1e-4, 50);
 }
 
