@@ -8,22 +8,21 @@
 /// In registers that shift, and no array: lavapipe stores to an array lane by lane, with a branch each, which took 60 % of
 /// the time of traversal. STACK_SIZE leaves only as many as the tree needs.
 struct Pending {
-  uvec4 a;
-  uvec4 b;
-  uvec4 c;
-  uvec4 d;
-  uvec4 e;
-  uvec4 f;
-  uvec4 g;
-  uvec4 h;
+  uint entries[LARGEST_STACK_SIZE + 1u];
 };
 
 const uint LIST_BITS = 7u;
 const uint LIST_MASK = 127u;
 const uint EMPTY_LIST = 1u;
 
+#define FACET_CLEAR(i) p.entries[i] = 0u;
 Pending nothing_pending() {
-  return Pending(uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u), uvec4(0u));
+  Pending p;
+  FACET_CLEAR(0) FACET_CLEAR(1) FACET_CLEAR(2) FACET_CLEAR(3) FACET_CLEAR(4) FACET_CLEAR(5) FACET_CLEAR(6) FACET_CLEAR(7)
+  FACET_CLEAR(8) FACET_CLEAR(9) FACET_CLEAR(10) FACET_CLEAR(11) FACET_CLEAR(12) FACET_CLEAR(13) FACET_CLEAR(14) FACET_CLEAR(15)
+  FACET_CLEAR(16) FACET_CLEAR(17) FACET_CLEAR(18) FACET_CLEAR(19) FACET_CLEAR(20) FACET_CLEAR(21) FACET_CLEAR(22) FACET_CLEAR(23)
+  FACET_CLEAR(24) FACET_CLEAR(25) FACET_CLEAR(26) FACET_CLEAR(27) FACET_CLEAR(28) FACET_CLEAR(29) FACET_CLEAR(30) FACET_CLEAR(31) FACET_CLEAR(32)
+  return p;
 }
 
 uint with_next(uint list, uint child) { return (list << 2u) | child; }
@@ -49,36 +48,36 @@ uint child_place(uint header, uint child) {
   return child >= (header & HEADER_INNER_MASK) ? item | LEAF : item;
 }
 
+// Loops over the entries written out, since an index that is not constant makes an array of memory. Below the last entry
+// lies one that is always 0.
+#define FACET_UP(i) \
+  if (STACK_SIZE > uint(i)) p.entries[i] = which ? p.entries[i - 1] : p.entries[i];
+#define FACET_DOWN(i) \
+  if (STACK_SIZE >= uint(i)) p.entries[i - 1] = which ? p.entries[i] : p.entries[i - 1];
+
 /// Puts an entry on top where `which`.
 void push(inout Pending p, bool which, uint entry) {
-  if (STACK_SIZE > 28u) p.h = which ? uvec4(p.g.w, p.h.xyz) : p.h;
-  if (STACK_SIZE > 24u) p.g = which ? uvec4(p.f.w, p.g.xyz) : p.g;
-  if (STACK_SIZE > 20u) p.f = which ? uvec4(p.e.w, p.f.xyz) : p.f;
-  if (STACK_SIZE > 16u) p.e = which ? uvec4(p.d.w, p.e.xyz) : p.e;
-  if (STACK_SIZE > 12u) p.d = which ? uvec4(p.c.w, p.d.xyz) : p.d;
-  if (STACK_SIZE > 8u) p.c = which ? uvec4(p.b.w, p.c.xyz) : p.c;
-  if (STACK_SIZE > 4u) p.b = which ? uvec4(p.a.w, p.b.xyz) : p.b;
-  p.a = which ? uvec4(entry, p.a.xyz) : p.a;
+  FACET_UP(31) FACET_UP(30) FACET_UP(29) FACET_UP(28) FACET_UP(27) FACET_UP(26) FACET_UP(25) FACET_UP(24)
+  FACET_UP(23) FACET_UP(22) FACET_UP(21) FACET_UP(20) FACET_UP(19) FACET_UP(18) FACET_UP(17) FACET_UP(16)
+  FACET_UP(15) FACET_UP(14) FACET_UP(13) FACET_UP(12) FACET_UP(11) FACET_UP(10) FACET_UP(9) FACET_UP(8)
+  FACET_UP(7) FACET_UP(6) FACET_UP(5) FACET_UP(4) FACET_UP(3) FACET_UP(2) FACET_UP(1)
+  p.entries[0] = which ? entry : p.entries[0];
 }
 
 /// Removes the top entry where `which`.
 void pop(inout Pending p, bool which) {
-  p.a = which ? uvec4(p.a.yzw, p.b.x) : p.a;
-  if (STACK_SIZE > 4u) p.b = which ? uvec4(p.b.yzw, p.c.x) : p.b;
-  if (STACK_SIZE > 8u) p.c = which ? uvec4(p.c.yzw, p.d.x) : p.c;
-  if (STACK_SIZE > 12u) p.d = which ? uvec4(p.d.yzw, p.e.x) : p.d;
-  if (STACK_SIZE > 16u) p.e = which ? uvec4(p.e.yzw, p.f.x) : p.e;
-  if (STACK_SIZE > 20u) p.f = which ? uvec4(p.f.yzw, p.g.x) : p.f;
-  if (STACK_SIZE > 24u) p.g = which ? uvec4(p.g.yzw, p.h.x) : p.g;
-  if (STACK_SIZE > 28u) p.h = which ? uvec4(p.h.yzw, 0u) : p.h;
+  FACET_DOWN(1) FACET_DOWN(2) FACET_DOWN(3) FACET_DOWN(4) FACET_DOWN(5) FACET_DOWN(6) FACET_DOWN(7) FACET_DOWN(8)
+  FACET_DOWN(9) FACET_DOWN(10) FACET_DOWN(11) FACET_DOWN(12) FACET_DOWN(13) FACET_DOWN(14) FACET_DOWN(15) FACET_DOWN(16)
+  FACET_DOWN(17) FACET_DOWN(18) FACET_DOWN(19) FACET_DOWN(20) FACET_DOWN(21) FACET_DOWN(22) FACET_DOWN(23) FACET_DOWN(24)
+  FACET_DOWN(25) FACET_DOWN(26) FACET_DOWN(27) FACET_DOWN(28) FACET_DOWN(29) FACET_DOWN(30) FACET_DOWN(31) FACET_DOWN(32)
 }
 
 /// The next pending child, NOWHERE without one; takes it off where `which`.
 uint take_pending(inout Pending p, bool which) {
-  uint top = p.a.x;
+  uint top = p.entries[0];
   uint header = top >> LIST_BITS;
   uint rest = without_next(top & LIST_MASK);
-  p.a.x = which ? (header << LIST_BITS) | rest : top;
+  p.entries[0] = which ? (header << LIST_BITS) | rest : top;
   pop(p, which && rest <= EMPTY_LIST);
   return top == 0u ? NOWHERE : child_place(header, next_of(top));
 }
