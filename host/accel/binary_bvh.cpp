@@ -18,8 +18,6 @@ constexpr std::size_t bin_count = 16;
 constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
 constexpr std::size_t parallel_size = 1U << 16U;
-/// Cost of visiting a node, in triangle tests.
-constexpr float node_cost = 1.0F;
 
 struct Bin {
   Box box;
@@ -120,50 +118,45 @@ Split best_split_along(const std::array<Bin, bin_count>& bins, int axis) {
 
 class Builder {
  public:
-  explicit Builder(std::span<BvhPrimitive> primitives) : primitives_(primitives) {}
+  Builder(std::span<BvhPrimitive> primitives, std::span<BinaryNode> nodes)
+      : primitives_(primitives), nodes_(nodes) {}
 
-  /// A node over [first, first + count), appended to `nodes` after its ancestors; returns its index there.
-  std::uint32_t build(std::vector<BinaryNode>& nodes, std::uint32_t first, std::uint32_t count, int depth) {
-    const auto at = static_cast<std::uint32_t>(nodes.size());
-    nodes.emplace_back();
-    const std::uint32_t middle = split(nodes[at], first, count, depth);
-    if (middle == first) return at;
-    if (count > parallel_size) {
-      build_both_in_parallel(nodes, at, first, middle, count, depth);
-    } else {
-      const std::uint32_t left = build(nodes, first, middle - first, depth + 1);
-      const std::uint32_t right = build(nodes, middle, first + count - middle, depth + 1);
-      nodes[at].left = left;
-      nodes[at].right = right;
+  /// Makes node `at` and those below it of the primitives [first, first + count).
+  void build(std::size_t at, std::size_t first, std::size_t count, int depth) {
+    if (count == 1) {
+      nodes_[at] = {primitives_[first].box, 0, primitives_[first].index};
+      return;
     }
-    return at;
+    const std::size_t left_count = split(nodes_[at].box, primitives_.subspan(first, count), depth);
+    const std::size_t second = at + 2 * left_count;
+    nodes_[at].second = static_cast<std::uint32_t>(second);
+    const auto build_side = [&](std::size_t side) {
+      if (side == 0) build(at + 1, first, left_count, depth + 1);
+      if (side == 1) build(second, first + left_count, count - left_count, depth + 1);
+    };
+    if (count > parallel_size) {
+      parallel_for(2, 1, [&](std::size_t side, std::size_t /*end*/) { build_side(side); });
+    } else {
+      build_side(0);
+      build_side(1);
+    }
   }
 
  private:
-  /// Fills the node's box and either makes it a leaf (returns first) or partitions its primitives (returns
-  /// the middle).
-  std::uint32_t split(BinaryNode& node, std::uint32_t first, std::uint32_t count, int depth) {
-    const std::span<BvhPrimitive> range = primitives_.subspan(first, count);
+  /// Measures the box of at least two primitives and parts them; returns how many come first.
+  static std::size_t split(Box& box, std::span<BvhPrimitive> range, int depth) {
     const Bounds bounds = fold(range, Bounds{}, [](Bounds& b, std::span<const BvhPrimitive> part) {
       for (const BvhPrimitive& p : part) b.add(p);
     });
-    node.box = bounds.box;
-    const auto make_leaf = [&] {
-      node.first = first;
-      node.count = count;
-      return first;
-    };
-    if (count == 1) return make_leaf();
+    box = bounds.box;
     const BinScale scale(bounds.centres);
-    const bool is_free = depth + static_cast<int>(std::bit_width(count)) < most_levels;
+    const bool is_free = depth + static_cast<int>(std::bit_width(range.size())) < most_levels;
     const Split best = is_free ? find_split(range, scale) : Split{};
-    const float area = std::max(bounds.box.half_area(), std::numeric_limits<float>::min());
-    if (count <= leaf_size && !(node_cost + best.cost / area < static_cast<float>(count))) return make_leaf();
-    if (best.axis < 0) return split_by_count(range, bounds.centres, first);
+    if (best.axis < 0) return split_by_count(range, bounds.centres);
     const auto middle = std::partition(range.begin(), range.end(), [&](const BvhPrimitive& p) {
       return scale.bin(p.centre2(), best.axis) < best.bin;
     });
-    return first + static_cast<std::uint32_t>(middle - range.begin());
+    return static_cast<std::size_t>(middle - range.begin());
   }
 
   static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale) {
@@ -186,8 +179,7 @@ class Builder {
   }
 
   /// Halves by count along the widest axis of the centres; ties by index keep it deterministic.
-  static std::uint32_t split_by_count(std::span<BvhPrimitive> range, const Box& centres,
-                                      std::uint32_t first) {
+  static std::size_t split_by_count(std::span<BvhPrimitive> range, const Box& centres) {
     const vec3 extent = centres.extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
     const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
@@ -197,39 +189,18 @@ class Builder {
                        const float cb = b.centre2()[axis];
                        return ca != cb ? ca < cb : a.index < b.index;
                      });
-    return first + static_cast<std::uint32_t>(range.size() / 2);
-  }
-
-  /// The two sides as tasks of their own, appended in a fixed order.
-  void build_both_in_parallel(std::vector<BinaryNode>& nodes, std::uint32_t at, std::uint32_t first,
-                              std::uint32_t middle, std::uint32_t count, int depth) {
-    std::array<std::vector<BinaryNode>, 2> sides;
-    parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) {
-        build(sides[s], s == 0 ? first : middle, s == 0 ? middle - first : first + count - middle, depth + 1);
-      }
-    });
-    for (std::size_t s = 0; s < 2; ++s) {
-      const auto base = static_cast<std::uint32_t>(nodes.size());
-      (s == 0 ? nodes[at].left : nodes[at].right) = base;
-      for (BinaryNode n : sides[s]) {
-        n.left += base;
-        n.right += base;
-        nodes.push_back(n);
-      }
-      std::vector<BinaryNode>().swap(sides[s]);
-    }
+    return range.size() / 2;
   }
 
   std::span<BvhPrimitive> primitives_;
+  std::span<BinaryNode> nodes_;
 };
 
 }  // namespace
 
 std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives) {
-  std::vector<BinaryNode> nodes;
-  nodes.reserve(primitives.size());
-  Builder(primitives).build(nodes, 0, static_cast<std::uint32_t>(primitives.size()), 0);
+  std::vector<BinaryNode> nodes(2 * primitives.size() - 1);
+  Builder(primitives, nodes).build(0, 0, primitives.size(), 0);
   return nodes;
 }
 

@@ -8,10 +8,7 @@
 
 namespace facet {
 
-/// Most triangles in a leaf.
-inline constexpr std::uint32_t leaf_size = 4;
-
-/// What the builder sorts: a triangle's box and its index.
+/// What the builder sorts: the box of one or two triangles, and an index.
 struct BvhPrimitive {
   Box box;
   std::uint32_t index = 0;
@@ -20,17 +17,18 @@ struct BvhPrimitive {
   [[nodiscard]] vec3 centre2() const { return box.lower + box.upper; }
 };
 
+/// A node's first child is the next node; a subtree of n primitives takes 2n - 1 nodes.
 struct BinaryNode {
   Box box;
-  std::uint32_t left = 0;   ///< index of the first child, unused in a leaf
-  std::uint32_t right = 0;  ///< index of the second
-  std::uint32_t first = 0;  ///< leaf: first primitive
-  std::uint32_t count = 0;  ///< leaf: number of primitives; 0 for inner nodes
+  std::uint32_t second = 0;     ///< index of the second child; 0 in a leaf
+  std::uint32_t primitive = 0;  ///< leaf: BvhPrimitive::index
+
+  [[nodiscard]] bool is_leaf() const { return second == 0; }
 };
 
-/// Sorts the primitives into leaf order and returns the nodes, the root first. At least one primitive.
-/// Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
-/// RT 2007.
+/// The nodes, the root first; every leaf holds one primitive. Sorts the primitives, of which there is at
+/// least one. Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume
+/// Hierarchies", RT 2007.
 [[nodiscard]] std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives);
 
 }  // namespace facet

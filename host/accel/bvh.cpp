@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "accel/binary_bvh.h"
+#include "accel/wide_tree.h"
 #include "core/error.h"
 #include "core/parallel.h"
 
 namespace facet {
 
 namespace {
-
-constexpr std::uint32_t width = shared::BLOCK_SIZE;
-using Children = std::array<std::uint32_t, width>;  ///< binary nodes
 
 /// Smallest biased exponent e whose 255 steps of 2^(e-127) cover the extent.
 std::uint32_t step_exponent(float extent) {
@@ -29,34 +27,46 @@ void set_item(shared::BvhItem& item, const Record& record) {
   item = std::bit_cast<shared::BvhItem>(record);
 }
 
-glm::uvec4 texel_of(const vec3& position, std::uint32_t w) { return {glm::floatBitsToUint(position), w}; }
+/// Bits of a name that say which corners a triangle's vertices are; corner k is vertex vertices[k], none if
+/// negative.
+std::uint32_t name_bits(const std::array<int, 4>& vertices) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    if (vertices[k] >= 0) bits |= k << (2 * vertices[k]);
+  }
+  return bits << shared::NAME_INDEX_BITS;
+}
+
+/// What item 0 holds.
+constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 1, 0)};
 
 /// Collapses the binary hierarchy into nodes of four children with quantised boxes.
 class Collapser {
  public:
-  Collapser(const std::vector<BinaryNode>& binary, std::span<const BvhPrimitive> primitives,
+  Collapser(const std::vector<BinaryNode>& binary, std::span<const TrianglePair> pairs,
             std::span<const TriangleCorners> triangles, Bvh& bvh)
-      : binary_(binary), primitives_(primitives), triangles_(triangles), bvh_(bvh) {}
+      : binary_(binary), wide_(binary), pairs_(pairs), triangles_(triangles), bvh_(bvh) {}
 
   void collapse() {
     bvh_.places.resize(triangles_.size());
-    const std::size_t root = add_block();
-    overflow_ = {root + 1, root + shared::BLOCK_SIZE};
-    bvh_.stack_size = collapse(0, root);
+    const std::size_t start = add_block();
+    set_item(bvh_.items[start], no_triangle);
+    bvh_.stack_size = collapse(0, start + shared::ROOT_ITEM);
     bvh_.items.shrink_to_fit();
+    bvh_.pairs.resize(bvh_.items.size());
     bvh_.sah_cost = visit_cost_ / std::max(1e-30, static_cast<double>(binary_.front().box.half_area()));
   }
 
  private:
   /// Makes the item a node for binary node `root`, and appends its descendants; returns the number of levels.
   std::uint32_t collapse(std::uint32_t root, std::size_t item) {
-    Children children{};
-    const std::uint32_t count = gather_children(root, children);
-    const auto is_inner = [&](std::uint32_t child) { return binary_[child].count == 0; };
-    const auto leaves = std::stable_partition(children.begin(), children.begin() + count, is_inner);
-    const auto inner_count = static_cast<std::uint32_t>(leaves - children.begin());
+    Children children = wide_.children_of(root);
+    const auto is_inner = [&](std::uint32_t child) { return !binary_[child].is_leaf(); };
+    const auto leaves =
+        std::stable_partition(children.nodes.begin(), children.nodes.begin() + children.count, is_inner);
+    const auto inner_count = static_cast<std::uint32_t>(leaves - children.nodes.begin());
     const std::size_t first = add_block();
-    shared::BvhNode node = quantise(binary_[root].box, children, count);
+    shared::BvhNode node = quantise(binary_[root].box, children);
     node.lower_header.w =
         static_cast<std::uint32_t>(first / shared::BLOCK_SIZE) << shared::HEADER_INNER_BITS | inner_count;
     set_item(bvh_.items[item], node);
@@ -64,89 +74,57 @@ class Collapser {
     visit_cost_ += binary_[root].box.half_area();
     std::uint32_t deepest = 0;
     for (std::uint32_t c = 0; c < inner_count; ++c)
-      deepest = std::max(deepest, collapse(children[c], first + c));
-    Range spare{first + count, first + shared::BLOCK_SIZE};
-    for (std::uint32_t c = inner_count; c < count; ++c) place_leaf(binary_[children[c]], first + c, spare);
+      deepest = std::max(deepest, collapse(children.nodes[c], first + c));
+    for (std::uint32_t c = inner_count; c < children.count; ++c)
+      place_leaf(binary_[children.nodes[c]], first + c);
     return 1 + deepest;
   }
-
-  struct Range {
-    std::size_t begin;
-    std::size_t end;
-  };
 
   /// Returns the first of its items.
   std::size_t add_block() {
     bvh_.items.resize(bvh_.items.size() + shared::BLOCK_SIZE);
+    bvh_.pairs.resize(bvh_.items.size());
     return bvh_.items.size() - shared::BLOCK_SIZE;
   }
 
-  /// An item for a triangle that is not its leaf's first: one that its block has to spare, or else one of a
-  /// block of such.
-  std::size_t further_item(Range& spare) {
-    if (spare.begin < spare.end) return spare.begin++;
-    if (overflow_.begin == overflow_.end) {
-      const std::size_t block = add_block();
-      overflow_ = {block, block + shared::BLOCK_SIZE};
+  void place_leaf(const BinaryNode& leaf, std::size_t item) {
+    visit_cost_ += leaf.box.half_area();
+    const TrianglePair& pair = pairs_[leaf.primitive];
+    const TriangleCorners& p = triangles_[pair.first];
+    const std::array<int, 3> turned{pair.turn, (pair.turn + 1) % 3, (pair.turn + 2) % 3};
+    std::array<vec3, 4> corners{};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = p[static_cast<std::size_t>(turned[k])];
+    corners[3] = corners[2];
+    shared::PairRecord& names = bvh_.pairs[item];
+    names.name0 = pair.first | name_bits({turned[0], turned[1], turned[2], -1});
+    bvh_.places[pair.first] = static_cast<std::uint32_t>(2 * item);
+    if (pair.second != none) {
+      const TriangleCorners& q = triangles_[pair.second];
+      const int after = (pair.apex + 1) % 3;
+      const int before = (pair.apex + 2) % 3;
+      corners[3] = q[pair.apex];
+      // Which end of the common edge is which depends on how the two are wound.
+      const bool is_after = q[static_cast<std::size_t>(after)] == corners[0];
+      names.name1 =
+          pair.second | name_bits({is_after ? after : before, -1, is_after ? before : after, pair.apex});
+      bvh_.places[pair.second] = static_cast<std::uint32_t>(2 * item + 1);
     }
-    return overflow_.begin++;
+    set_item(bvh_.items[item], corners);
   }
 
-  /// Lays the leaf's triangles down, the first as this item.
-  void place_leaf(const BinaryNode& leaf, std::size_t item, Range& spare) {
-    visit_cost_ += static_cast<double>(leaf.box.half_area()) * leaf.count;
-    for (std::uint32_t k = 0; k < leaf.count; ++k) {
-      const std::uint32_t index = primitives_[leaf.first + k].index;
-      const TriangleCorners& corners = triangles_[index];
-      const std::size_t next = k + 1 < leaf.count ? further_item(spare) : 0;
-      set_item(bvh_.items[item],
-               shared::TriangleRecord{texel_of(corners[0], 0), texel_of(corners[1], 0),
-                                      texel_of(corners[2], static_cast<std::uint32_t>(next))});
-      bvh_.places[index] = static_cast<std::uint32_t>(item);
-      item = next;
-    }
-  }
-
-  /// Opens the child of largest area until there are four or only leaves.
-  std::uint32_t gather_children(std::uint32_t root, Children& children) const {
-    if (binary_[root].count > 0) {
-      children[0] = root;
-      return 1;
-    }
-    children[0] = binary_[root].left;
-    children[1] = binary_[root].right;
-    std::uint32_t count = 2;
-    while (count < width) {
-      std::uint32_t largest = width;
-      float area = -1;
-      for (std::uint32_t c = 0; c < count; ++c) {
-        const BinaryNode& child = binary_[children[c]];
-        if (child.count > 0 || child.box.half_area() <= area) continue;
-        area = child.box.half_area();
-        largest = c;
-      }
-      if (largest == width) break;
-      const BinaryNode& opened = binary_[children[largest]];
-      children[largest] = opened.left;
-      children[count++] = opened.right;
-    }
-    return count;
-  }
-
-  [[nodiscard]] shared::BvhNode quantise(const Box& box, const Children& children,
-                                         std::uint32_t count) const {
+  [[nodiscard]] shared::BvhNode quantise(const Box& box, const Children& children) const {
     shared::BvhNode node{};
     for (int a = 0; a < 3; ++a) {
       const std::uint32_t exponent = step_exponent(box.extent()[a]);
       const double step = std::ldexp(1.0, static_cast<int>(exponent) - 127);
       node.origin_exponents[a] = std::bit_cast<std::uint32_t>(box.lower[a]);
       node.origin_exponents.w |= exponent << (8U * static_cast<unsigned>(a));
-      for (std::uint32_t c = 0; c < width; ++c) {
+      for (std::uint32_t c = 0; c < shared::BLOCK_SIZE; ++c) {
         // A missing child is an inside-out box.
         std::uint32_t lo = 255;
         std::uint32_t hi = 0;
-        if (c < count) {
-          const Box& child = binary_[children[c]].box;
+        if (c < children.count) {
+          const Box& child = binary_[children.nodes[c]].box;
           const double origin = box.lower[a];
           lo = static_cast<std::uint32_t>(
               std::clamp(std::floor((child.lower[a] - origin) / step), 0.0, 255.0));
@@ -161,19 +139,21 @@ class Collapser {
   }
 
   const std::vector<BinaryNode>& binary_;
-  std::span<const BvhPrimitive> primitives_;
+  WideTree wide_;
+  std::span<const TrianglePair> pairs_;
   std::span<const TriangleCorners> triangles_;
   Bvh& bvh_;
-  Range overflow_{};       ///< free items of the block that takes triangles for which their own has no room
   double visit_cost_ = 0;  ///< sum over nodes of half area, and over leaves of half area times triangles
 };
 
-std::vector<BvhPrimitive> make_primitives(std::span<const TriangleCorners> triangles) {
-  std::vector<BvhPrimitive> primitives(triangles.size());
-  parallel_for(triangles.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
+std::vector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs,
+                                          std::span<const TriangleCorners> triangles) {
+  std::vector<BvhPrimitive> primitives(pairs.size());
+  parallel_for(pairs.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      for (const vec3& corner : triangles[i]) primitives[i].box.add(corner);
-      primitives[i].index = static_cast<std::uint32_t>(i);
+      Box box = bounds_of(triangles[pairs[i].first]);
+      if (pairs[i].second != none) box.add(bounds_of(triangles[pairs[i].second]));
+      primitives[i] = {box, static_cast<std::uint32_t>(i)};
     }
   });
   return primitives;
@@ -181,11 +161,21 @@ std::vector<BvhPrimitive> make_primitives(std::span<const TriangleCorners> trian
 
 }  // namespace
 
+std::array<vec3, 4> Bvh::corners(std::size_t item) const {
+  return std::bit_cast<std::array<vec3, 4>>(items[item]);
+}
+
+TriangleCorners Bvh::triangle(std::uint32_t place) const {
+  const std::array<vec3, 4> c = corners(place / 2);
+  const std::uint32_t name = place % 2 == 0 ? pairs[place / 2].name0 : pairs[place / 2].name1;
+  const std::uint32_t vertices = name >> shared::NAME_INDEX_BITS;
+  return {c[vertices & 3U], c[vertices >> 2U & 3U], c[vertices >> 4U]};
+}
+
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
-  constexpr std::size_t most_items = std::size_t{shared::LARGEST_BLOCK_COUNT} * shared::BLOCK_SIZE;
-  if (triangles.size() >= most_items) {
-    throw InputError(
-        fmt::format("the scene has {} triangles; fewer than {} are supported", triangles.size(), most_items));
+  if (triangles.size() > shared::NAME_INDEX_MASK) {
+    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(),
+                                 shared::NAME_INDEX_MASK));
   }
   Bvh bvh;
   if (triangles.empty()) {
@@ -193,16 +183,20 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
     shared::BvhNode root{};
     root.origin_exponents.w = 0x010101;
     root.lower_header = {0xffffffffU, 0xffffffffU, 0xffffffffU, 0};
-    set_item(bvh.items.emplace_back(), root);
+    bvh.items.resize(shared::BLOCK_SIZE);
+    bvh.pairs.resize(shared::BLOCK_SIZE);
+    set_item(bvh.items.front(), no_triangle);
+    set_item(bvh.items[shared::ROOT_ITEM], root);
     bvh.node_count = 1;
     bvh.stack_size = 1;
     return bvh;
   }
-  std::vector<BvhPrimitive> primitives = make_primitives(triangles);
+  const std::vector<TrianglePair> pairs = pair_triangles(triangles);
+  std::vector<BvhPrimitive> primitives = make_primitives(pairs, triangles);
   const std::vector<BinaryNode> binary = build_binary_bvh(primitives);
   bvh.bounds = binary.front().box;
-  Collapser(binary, primitives, triangles, bvh).collapse();
-  if (bvh.items.size() > most_items) {
+  Collapser(binary, pairs, triangles, bvh).collapse();
+  if (bvh.items.size() > std::size_t{shared::LARGEST_BLOCK_COUNT} * shared::BLOCK_SIZE) {
     throw InputError(fmt::format("the BVH of {} triangles has {} nodes; at most {} are supported",
                                  triangles.size(), bvh.node_count, shared::LARGEST_BLOCK_COUNT));
   }

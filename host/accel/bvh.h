@@ -7,28 +7,28 @@
 #include <span>
 #include <vector>
 
+#include "accel/triangle_pairs.h"
 #include "core/maths.h"
 #include "shared/records.h"
 
 namespace facet {
 
-/// A triangle's corners, world space.
-using TriangleCorners = std::array<vec3, 3>;
-
 struct Bvh {
-  std::vector<shared::BvhItem> items;  ///< the first is the root; triangles lack mesh and index
-  std::vector<std::uint32_t> places;   ///< item of each triangle of the input
+  std::vector<shared::BvhItem> items;
+  std::vector<shared::PairRecord> pairs;  ///< of each item; names hold the input's indices, meshes are 0
+  std::vector<std::uint32_t> places;      ///< of each triangle of the input: 2 * item + half
   std::size_t node_count = 0;
   std::uint32_t stack_size = 0;  ///< levels of nodes: entries that a traversal needs at most
   Box bounds;
-  double sah_cost = 0;  ///< expected node visits plus triangle tests of a random ray that hits the root's box
+  double sah_cost = 0;  ///< expected visits of nodes and of leaves by a random ray that hits the root's box
 
   [[nodiscard]] shared::BvhNode node(std::size_t item) const {
     return std::bit_cast<shared::BvhNode>(items[item]);
   }
-  [[nodiscard]] shared::TriangleRecord triangle(std::size_t item) const {
-    return std::bit_cast<shared::TriangleRecord>(items[item]);
-  }
+  /// An item's corners 0 to 3, world space.
+  [[nodiscard]] std::array<vec3, 4> corners(std::size_t item) const;
+  /// The triangle at a place, its corners in the input's order.
+  [[nodiscard]] TriangleCorners triangle(std::uint32_t place) const;
 };
 
 /// Builds the hierarchy; deterministic, whatever the number of threads. Empty input gives a root without

@@ -108,10 +108,8 @@ class Embree : public Yardstick {
     if (positions == nullptr || indices == nullptr)
       throw DeviceError("Embree has no memory for the triangles");
     for (std::size_t i = 0; i < count; ++i) {
-      const shared::TriangleRecord t = packed.bvh.triangle(packed.bvh.places[i]);
-      for (const glm::uvec4& v : {t.v0, t.v1, t.v2}) {
-        const vec3 p = vertex_position(v);
-        for (int a = 0; a < 3; ++a) *positions++ = p[a];
+      for (const vec3& corner : packed.bvh.triangle(packed.bvh.places[i])) {
+        for (int a = 0; a < 3; ++a) *positions++ = corner[a];
       }
       for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = static_cast<std::uint32_t>(3 * i + k);
     }

@@ -43,10 +43,7 @@ class RayMaker {
   explicit RayMaker(const PackedScene& packed) : packed_(packed) {}
 
   [[nodiscard]] Place place_of(const RayRecord& ray, const shared::HitRecord& hit) const {
-    const shared::TriangleRecord t = packed_.bvh.triangle(hit.triangle);
-    const vec3 a = vertex_position(t.v0);
-    const vec3 b = vertex_position(t.v1);
-    const vec3 c = vertex_position(t.v2);
+    const auto [a, b, c] = packed_.bvh.triangle(hit.triangle);
     vec3 n = glm::normalize(glm::cross(b - a, c - a));
     if (glm::dot(n, vec3(ray.direction)) > 0) n = -n;
     const vec3 p = (1 - hit.b1 - hit.b2) * a + hit.b1 * b + hit.b2 * c;
@@ -65,10 +62,7 @@ class RayMaker {
     if (packed_.emitter_triangles.empty()) return bounce(at, ray + (std::size_t{1} << 31U));
     const auto count = packed_.emitter_triangles.size();
     const auto chosen = std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
-    const shared::TriangleRecord t = packed_.bvh.triangle(packed_.emitter_triangles[chosen].triangle);
-    const vec3 a = vertex_position(t.v0);
-    const vec3 b = vertex_position(t.v1);
-    const vec3 c = vertex_position(t.v2);
+    const auto [a, b, c] = packed_.bvh.triangle(packed_.emitter_triangles[chosen].triangle);
     const float root = std::sqrt(u.x);
     const vec3 d = (1 - root) * a + root * (1 - u.y) * b + root * u.y * c - at.position;
     if (glm::dot(d, at.normal) <= 0 || glm::dot(d, glm::cross(b - a, c - a)) >= 0) return std::nullopt;

@@ -86,7 +86,7 @@ ExitCode print_info(const InfoOptions& options) {
   print_warnings(diagnostics);
   const PackedScene packed = pack_scene(scene);
   const Features features = find_features(scene, RenderSettings{});
-  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.normal_indices) +
+  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.bvh.pairs) + bytes_of(packed.normal_indices) +
                                bytes_of(packed.normals) + bytes_of(packed.texcoord_indices) +
                                bytes_of(packed.texcoords);
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +

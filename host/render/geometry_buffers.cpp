@@ -14,7 +14,7 @@ GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed,
                                        packed.meshes.size() * sizeof(shared::MeshRecord),
                                        most_slots * sizeof(shared::ShadowRayRecord)}) /
                              sizeof(glm::uvec4);
-  constexpr std::uint32_t images = 1 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
+  constexpr std::uint32_t images = 2 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
   const bool fits = texels <= device.limits().maxTexelBufferElements &&
                     images <= device.limits().maxPerStageDescriptorStorageImages;
   return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
@@ -29,8 +29,11 @@ vk::BufferUsageFlagBits usage_of(GeometryFetch fetch) {
 
 GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers)
     : fetch_(choose_fetch(device, packed, force_storage_buffers)),
-      items_(make_record_buffer(device, packed.bvh.items, "the BVH", usage_of(fetch_))) {
-  if (fetch_ == GeometryFetch::texel_buffer) view_.emplace(gpu::make_texel_view(device, items_));
+      items_(make_record_buffer(device, packed.bvh.items, "the BVH", usage_of(fetch_))),
+      pairs_(make_record_buffer(device, packed.bvh.pairs, "the triangles' names", usage_of(fetch_))) {
+  if (fetch_ != GeometryFetch::texel_buffer) return;
+  views_.push_back(gpu::make_texel_view(device, items_));
+  views_.push_back(gpu::make_texel_view(device, pairs_));
 }
 
 std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
@@ -38,13 +41,16 @@ std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
   types[shared::BINDING_FRAME] = vk::DescriptorType::eUniformBuffer;
   if (fetch_ == GeometryFetch::texel_buffer) {
     types[shared::BINDING_BVH] = vk::DescriptorType::eStorageTexelBuffer;
+    types[shared::BINDING_PAIRS] = vk::DescriptorType::eStorageTexelBuffer;
     types.resize(shared::BINDING_COUNT, vk::DescriptorType::eStorageTexelBuffer);
   }
   return types;
 }
 
 void GeometryBuffers::bind(std::vector<gpu::Binding>& bindings) const {
-  bindings[shared::BINDING_BVH] = {&items_, view_ ? &*view_ : nullptr};
+  const bool texels = !views_.empty();
+  bindings[shared::BINDING_BVH] = {&items_, texels ? &views_[0] : nullptr};
+  bindings[shared::BINDING_PAIRS] = {&pairs_, texels ? &views_[1] : nullptr};
 }
 
 }  // namespace facet

@@ -1,6 +1,5 @@
 #pragma once
-// The BVH on a device, as a texel buffer or, where a device's are too small, as a storage buffer.
-#include <optional>
+// The BVH on a device, as texel buffers or, where a device's are too small, as storage buffers.
 #include <vector>
 
 #include "core/error.h"
@@ -42,16 +41,17 @@ class GeometryBuffers {
   GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers);
 
   [[nodiscard]] GeometryFetch fetch() const { return fetch_; }
-  [[nodiscard]] std::uint64_t bytes() const { return items_.size(); }
+  [[nodiscard]] std::uint64_t bytes() const { return items_.size() + pairs_.size(); }
   /// Of all bindings that the kernels of a render have.
   [[nodiscard]] std::vector<vk::DescriptorType> binding_types() const;
-  /// Sets the BVH's binding; this must outlive what is bound.
+  /// Sets the two bindings; this must outlive what is bound.
   void bind(std::vector<gpu::Binding>& bindings) const;
 
  private:
   GeometryFetch fetch_;
   gpu::Buffer items_;
-  std::optional<vk::raii::BufferView> view_;  ///< where they are texels
+  gpu::Buffer pairs_;
+  std::vector<vk::raii::BufferView> views_;  ///< of the two, or none
 };
 
 }  // namespace facet

@@ -103,11 +103,11 @@ class Packer {
   /// Tells each triangle its mesh and its index in the scene.
   void name_triangles() {
     for (std::size_t s = 0; s < sources_.size(); ++s) {
-      const std::size_t item = packed_.bvh.places[s];
-      shared::TriangleRecord triangle = packed_.bvh.triangle(item);
-      triangle.v0.w = sources_[s].mesh;
-      triangle.v1.w = sources_[s].id;
-      packed_.bvh.items[item] = std::bit_cast<shared::BvhItem>(triangle);
+      const std::uint32_t place = packed_.bvh.places[s];
+      shared::PairRecord& pair = packed_.bvh.pairs[place / 2];
+      std::uint32_t& name = place % 2 == 0 ? pair.name0 : pair.name1;
+      name = (name & ~shared::NAME_INDEX_MASK) | sources_[s].id;
+      (place % 2 == 0 ? pair.mesh0 : pair.mesh1) = sources_[s].mesh;
     }
   }
 

@@ -1,6 +1,5 @@
 #pragma once
 // A scene as the kernels read it: arrays of the shared records.
-#include <bit>
 #include <vector>
 
 #include "accel/bvh.h"
@@ -29,12 +28,12 @@ struct PackedScene {
   double bvh_seconds = 0;
 
   [[nodiscard]] std::size_t triangle_count() const { return bvh.places.size(); }
+  /// Index in the scene, in order of reading, of the triangle at a place of the BVH.
+  [[nodiscard]] std::uint32_t scene_index(std::uint32_t place) const {
+    const shared::PairRecord& pair = bvh.pairs[place / 2];
+    return (place % 2 == 0 ? pair.name0 : pair.name1) & shared::NAME_INDEX_MASK;
+  }
 };
-
-/// The position that a triangle's texel holds, world space.
-inline vec3 vertex_position(const glm::uvec4& texel) {
-  return {std::bit_cast<float>(texel.x), std::bit_cast<float>(texel.y), std::bit_cast<float>(texel.z)};
-}
 
 [[nodiscard]] PackedScene pack_scene(const Scene& scene);
 

@@ -9,20 +9,59 @@
 
 #ifdef FACET_NO_TEXEL_BUFFERS
 layout(std430, binding = BINDING_BVH) readonly buffer BvhItems { uvec4 bvh_texels[]; };
+layout(std430, binding = BINDING_PAIRS) readonly buffer Pairs { uvec4 pair_texels[]; };
 uvec4 bvh_texel(uint i) { return bvh_texels[i]; }
+uvec4 pair_texel(uint i) { return pair_texels[i]; }
 #else
 layout(binding = BINDING_BVH, rgba32ui) uniform readonly uimageBuffer bvh_texels;
+layout(binding = BINDING_PAIRS, rgba32ui) uniform readonly uimageBuffer pair_texels;
 uvec4 bvh_texel(uint i) { return imageLoad(bvh_texels, int(i)); }
+uvec4 pair_texel(uint i) { return imageLoad(pair_texels, int(i)); }
 #endif
 
 BvhNode fetch_node(uint item) { return BvhNode(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u)); }
 
-TriangleRecord fetch_triangle(uint item) {
-  return TriangleRecord(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u));
+/// Corners of an item's triangles, world space.
+struct Corners {
+  vec3 c0;
+  vec3 c1;
+  vec3 c2;
+  vec3 c3;
+};
+
+Corners fetch_corners(uint item) {
+  vec4 a = uintBitsToFloat(bvh_texel(3u * item));
+  vec4 b = uintBitsToFloat(bvh_texel(3u * item + 1u));
+  vec4 c = uintBitsToFloat(bvh_texel(3u * item + 2u));
+  return Corners(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw);
 }
 
-/// Position kept in a triangle's texel, world space.
-vec3 vertex_position(uvec4 texel) { return uintBitsToFloat(texel.xyz); }
+vec3 corner(Corners p, uint k) {
+  vec3 low = k == 0u ? p.c0 : p.c1;
+  vec3 high = k == 2u ? p.c2 : p.c3;
+  return k < 2u ? low : high;
+}
+
+/// v[k], without an array of memory.
+float component(vec4 v, uint k) {
+  float low = k == 0u ? v.x : v.y;
+  float high = k == 2u ? v.z : v.w;
+  return k < 2u ? low : high;
+}
+
+/// What a triangle is in the scene.
+struct TriangleName {
+  uint index;    // in order of reading
+  uint mesh;
+  uint corners;  // two bits a vertex: which corner of the item it is
+};
+
+TriangleName triangle_name(uint triangle) {
+  uvec4 pair = pair_texel(triangle >> 1u);
+  bool second = (triangle & 1u) != 0u;
+  uint name = second ? pair.y : pair.x;
+  return TriangleName(name & NAME_INDEX_MASK, second ? pair.w : pair.z, name >> NAME_INDEX_BITS);
+}
 
 /// A ray prepared for the tests.
 struct TraversalRay {
@@ -83,26 +122,58 @@ vec4 intersect_children(TraversalRay ray, BvhNode node, float t_max) {
   return mix(vec4(LARGEST), intBitsToFloat(t_near), lessThanEqual(t_near, t_far));
 }
 
-/// The ray against a triangle. Returns (t, b1, b2) and whether it is hit at t_min < t < t_max.
+/// A hit of a pair's triangles.
+struct PairHit {
+  bool found;
+  bool second;  // of the two
+  float t;
+  float b1;   // weight of corner 1 in the first triangle, of corner 2 in the second
+  float b2;   // of corner 2, of corner 3
+};
+
+/// Twice the signed area of the triangle of the origin, p and q.
+float edge_function(vec2 p, vec2 q) { return p.x * q.y - p.y * q.x; }
+
+bool same_side(float u, float v, float w) { return min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0; }
+
+/// The nearest hit of the ray with a pair's triangles at t_min < t < t_max.
 /// Watertight: the vertices are projected along the ray, alike for every triangle that shares them, and an edge's
 /// function changes only its sign between the two triangles beside it
 /// (after S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
-bool intersect_triangle(TraversalRay ray, TriangleRecord triangle, float t_max, out vec3 t_b1_b2) {
-  vec3 a = vertex_position(triangle.v0) - ray.origin;
-  vec3 b = vertex_position(triangle.v1) - ray.origin;
-  vec3 c = vertex_position(triangle.v2) - ray.origin;
+PairHit intersect_pair(TraversalRay ray, Corners corners, float t_max) {
+  vec3 a = corners.c0 - ray.origin;
+  vec3 b = corners.c1 - ray.origin;
+  vec3 c = corners.c2 - ray.origin;
+  vec3 d = corners.c3 - ray.origin;
   vec2 pa = vec2(dot3(ray.across.s, a), dot3(ray.across.t, a));
   vec2 pb = vec2(dot3(ray.across.s, b), dot3(ray.across.t, b));
   vec2 pc = vec2(dot3(ray.across.s, c), dot3(ray.across.t, c));
-  float u = pc.x * pb.y - pc.y * pb.x;
-  float v = pa.x * pc.y - pa.y * pc.x;
-  float w = pb.x * pa.y - pb.y * pa.x;
-  float det = (u + v) + w;
-  float inverse = 1.0 / det;
-  float t = ((u * dot3(ray.across.n, a) + v * dot3(ray.across.n, b)) + w * dot3(ray.across.n, c)) * inverse;
-  t_b1_b2 = vec3(t, v * inverse, w * inverse);
-  bool inside = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
-  return inside && det != 0.0 && t > ray.t_min && t < t_max;
+  vec2 pd = vec2(dot3(ray.across.s, d), dot3(ray.across.t, d));
+  float ta = dot3(ray.across.n, a);
+  float tc = dot3(ray.across.n, c);
+  float diagonal = edge_function(pa, pc);
+
+  float u0 = edge_function(pc, pb);
+  float w0 = edge_function(pb, pa);
+  float det0 = (u0 + diagonal) + w0;
+  float inverse0 = 1.0 / det0;
+  float t0 = ((u0 * ta + diagonal * dot3(ray.across.n, b)) + w0 * tc) * inverse0;
+  bool hit0 = same_side(u0, diagonal, w0) && det0 != 0.0 && t0 > ray.t_min && t0 < t_max;
+
+  float u1 = edge_function(pd, pc);
+  float v1 = edge_function(pa, pd);
+  float det1 = (u1 + v1) - diagonal;
+  float inverse1 = 1.0 / det1;
+  float t1 = ((u1 * ta + v1 * tc) - diagonal * dot3(ray.across.n, d)) * inverse1;
+  bool hit1 = same_side(u1, v1, -diagonal) && det1 != 0.0 && t1 > ray.t_min && t1 < (hit0 ? t0 : t_max);
+
+  PairHit hit;
+  hit.found = hit0 || hit1;
+  hit.second = hit1;
+  hit.t = hit1 ? t1 : t0;
+  hit.b1 = hit1 ? v1 * inverse1 : diagonal * inverse0;
+  hit.b2 = hit1 ? -diagonal * inverse1 : w0 * inverse0;
+  return hit;
 }
 
 #endif

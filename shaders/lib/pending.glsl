@@ -37,7 +37,6 @@ struct ChildList {
 };
 
 /// Where a traversal is: an item of the BVH, marked if it is a leaf's first triangle.
-const uint ROOT = 0u;
 const uint LEAF = 0x80000000u;
 const uint NOWHERE = 0xffffffffu;
 

@@ -17,12 +17,13 @@ struct Surface {
 
 vec3 fetch_normal(uint i) { return vec3(normals[3u * i], normals[3u * i + 1u], normals[3u * i + 2u]); }
 
-/// The point of the triangle that is BVH item i, with barycentric weights b1 and b2 of its second and third vertex.
-Surface surface_at(uint i, float b1, float b2) {
-  TriangleRecord triangle = fetch_triangle(i);
-  vec3 v0 = vertex_position(triangle.v0);
-  vec3 v1 = vertex_position(triangle.v1);
-  vec3 v2 = vertex_position(triangle.v2);
+/// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in order of reading.
+Surface surface_at(uint triangle, float b1, float b2) {
+  TriangleName name = triangle_name(triangle);
+  Corners corners = fetch_corners(triangle >> 1u);
+  vec3 v0 = corner(corners, name.corners & 3u);
+  vec3 v1 = corner(corners, (name.corners >> 2u) & 3u);
+  vec3 v2 = corner(corners, name.corners >> 4u);
   float b0 = (1.0 - b1) - b2;
   Surface s;
   s.position = (b0 * v0 + b1 * v1) + b2 * v2;
@@ -32,10 +33,10 @@ Surface surface_at(uint i, float b1, float b2) {
   vec3 e2 = normalize_safe(v2 - v0);
   s.ng = normalize_safe(cross3(e1, e2));
   s.ns = s.ng;
-  s.mesh = triangle.v0.w;
+  s.mesh = name.mesh;
   uint attributes = SHADING_NORMALS || TEXTURE_KINDS != 0u ? fetch_mesh(s.mesh).attributes : NONE;
   bool listed = attributes != NONE;
-  uint index = listed ? triangle.v1.w - attributes : 0u;
+  uint index = listed ? name.index - attributes : 0u;
   if (SHADING_NORMALS) {
     uvec4 n = normal_indices[index];
     bool has = listed && n.x != NONE;

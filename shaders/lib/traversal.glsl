@@ -26,13 +26,13 @@ ChildList sorted_children(vec4 t) {
   return ChildList(first < missed, first & 3u, rest);
 }
 
-/// Nearest hit with t_min < t < t_max, or with `any` the first that is found; triangle NONE for a miss. complete: false where
-/// the bound was reached.
+/// Nearest hit with t_min < t < t_max, or with `any` the first that is found; triangle NONE for a miss. The weights are those
+/// of a PairHit. complete: false where the bound was reached.
 HitRecord trace(RayRecord record, bool any, out bool complete) {
   TraversalRay ray = traversal_ray(record);
   HitRecord hit = HitRecord(ray.t_max, NONE, 0.0, 0.0);
   Pending pending = nothing_pending();
-  uint place = ROOT;
+  uint place = ROOT_ITEM;
   uint steps = 0u;
   complete = true;
   while (place != NOWHERE && steps < TRAVERSAL_BOUND) {
@@ -42,18 +42,13 @@ HitRecord trace(RayRecord record, bool any, out bool complete) {
       ++steps;
     }
     bool at_leaf = is_leaf(place) && place != NOWHERE;
-    uint item = at_leaf ? leaf_item(place) : 0u;
-    while (item != 0u) {
-      TriangleRecord triangle = fetch_triangle(item);
-      vec3 t_b1_b2;
-      bool inside = intersect_triangle(ray, triangle, hit.t, t_b1_b2);
-      hit.t = inside ? t_b1_b2.x : hit.t;
-      hit.b1 = inside ? t_b1_b2.y : hit.b1;
-      hit.b2 = inside ? t_b1_b2.z : hit.b2;
-      hit.triangle = inside ? item : hit.triangle;
-      item = triangle.v2.w;
-    }
-    complete = complete && item == 0u;
+    uint item = leaf_item(place);
+    PairHit pair = intersect_pair(ray, fetch_corners(item), hit.t);
+    bool closer = at_leaf && pair.found;
+    hit.t = closer ? pair.t : hit.t;
+    hit.b1 = closer ? pair.b1 : hit.b1;
+    hit.b2 = closer ? pair.b2 : hit.b2;
+    hit.triangle = closer ? 2u * item + (pair.second ? 1u : 0u) : hit.triangle;
     uint next = take_pending(pending, at_leaf);
     place = at_leaf ? next : place;
     if (any) place = hit.triangle != NONE ? NOWHERE : place;
@@ -63,7 +58,20 @@ HitRecord trace(RayRecord record, bool any, out bool complete) {
   return hit;
 }
 
-HitRecord trace_closest(RayRecord record, out bool complete) { return trace(record, false, complete); }
+/// The hit with the weights of the second and third vertex in order of reading, as all else counts them.
+HitRecord in_order_of_reading(HitRecord hit) {
+  bool missed = hit.triangle == NONE;
+  uint corners = triangle_name(missed ? 0u : hit.triangle).corners;
+  float b0 = (1.0 - hit.b1) - hit.b2;
+  bool second = (hit.triangle & 1u) != 0u;
+  vec4 weights = second ? vec4(b0, 0.0, hit.b1, hit.b2) : vec4(b0, hit.b1, hit.b2, 0.0);
+  hit.b1 = missed ? 0.0 : component(weights, (corners >> 2u) & 3u);
+  hit.b2 = missed ? 0.0 : component(weights, corners >> 4u);
+  return hit;
+}
+
+/// As trace; the weights are those of the second and third vertex in order of reading.
+HitRecord trace_closest(RayRecord record, out bool complete) { return in_order_of_reading(trace(record, false, complete)); }
 
 /// Whether anything is hit with t_min < t < t_max.
 bool trace_any(RayRecord record, out bool complete) { return trace(record, true, complete).triangle != NONE; }

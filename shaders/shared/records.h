@@ -8,9 +8,12 @@ FACET_SHARED_BEGIN
 /// No triangle was hit; also: no emitter, no normals.
 FACET_CONSTANT uint NONE = 0xffffffffu;
 
-// The BVH is one array of items of 48 bytes, each a node or a triangle, each fetched as three RGBA32UI
-// texels. A node's four children are the items of one block, four in a row: inner nodes first, then leaves.
-// So whether child c is a leaf, and where it lies, follows from the node's header alone. The root is item 0.
+// The BVH is one array of items of 48 bytes, each a node or one or two triangles, fetched as three RGBA32UI
+// texels. A node's four children are the items of one block, four in a row: inner nodes first, then
+// triangles. So whether child c is a leaf, and where it lies, follows from the node's header alone. Item 0 is
+// a triangle that no ray hits: what kernels without branches look at where there is nothing to look at.
+
+FACET_CONSTANT uint ROOT_ITEM = 1u;
 
 /// Levels of a tree, and its blocks, that the stack of a traversal has bits for.
 FACET_CONSTANT uint LARGEST_STACK_SIZE = 32u;
@@ -20,7 +23,10 @@ FACET_CONSTANT uint BLOCK_SIZE = 4u;
 FACET_CONSTANT uint HEADER_INNER_BITS = 3u;
 FACET_CONSTANT uint HEADER_INNER_MASK = 7u;
 
-/// An item of any kind.
+/// An item: the bits of a node, or of the coordinates of four corners, world space. The corners' triangles,
+/// which have an edge in common, are 0, 1, 2 and 0, 2, 3; where there is one triangle only, corner 3 is
+/// corner 2 once more. They are integers since small ones kept in floats would be denormals, which a device
+/// may flush.
 struct BvhItem {
   uvec4 texels[3];
 };
@@ -33,13 +39,17 @@ struct BvhNode {
   uvec4 upper;             // x, y, z: byte c is child c's upper plane; w: unused
 };
 
-/// A triangle; its numbers are integers, since small ones kept in floats would be denormals, which a device
-/// may flush. x, y, z: bits of the vertex' position, world space.
-struct TriangleRecord {
-  uvec4 v0;  // w: the mesh's index
-  uvec4 v1;  // w: the triangle's index in the scene, in order of reading
-  uvec4 v2;  // w: item of the next triangle of this leaf, 0 after the last
+/// What the two triangles of an item are in the scene; triangle h of item i has place 2 * i + h. A name: a
+/// triangle's index in the scene, in order of reading, below two bits for each of its vertices, in order of
+/// reading: which corner it is.
+struct PairRecord {
+  uint name0;
+  uint name1;
+  uint mesh0;
+  uint mesh1;
 };
+FACET_CONSTANT uint NAME_INDEX_BITS = 26u;
+FACET_CONSTANT uint NAME_INDEX_MASK = 0x03ffffffu;
 
 struct MeshRecord {
   uint bsdf;
@@ -235,7 +245,7 @@ FACET_SHARED_END
 
 #ifdef __cplusplus
 namespace facet::shared {
-static_assert(sizeof(BvhNode) == 48 && sizeof(TriangleRecord) == 48 && sizeof(BvhItem) == 48 &&
+static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
 static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 8);
 static_assert(sizeof(TextureRecord) == 48);

@@ -1,4 +1,5 @@
 // The kernels' hits against brute force in double precision, and watertightness.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,6 +13,8 @@ namespace {
 struct Candidate {
   double t = 1e300;
   double margin = 0;  ///< smallest barycentric weight: near 0 at an edge
+  double b1 = 0;      ///< weight of the second vertex
+  double b2 = 0;      ///< of the third
   std::uint32_t id = none;
 };
 
@@ -27,7 +30,7 @@ Candidate intersect(const shared::RayRecord& ray, const std::array<dvec3, 3>& v,
   const double b1 = glm::dot(o - v[0], p) / det;
   const dvec3 q = glm::cross(o - v[0], e1);
   const double b2 = glm::dot(d, q) / det;
-  return {glm::dot(e2, q) / det, std::min({b1, b2, 1 - b1 - b2}), id};
+  return {glm::dot(e2, q) / det, std::min({b1, b2, 1 - b1 - b2}), b1, b2, id};
 }
 
 std::vector<std::array<dvec3, 3>> all_triangles(const Scene& scene) {
@@ -49,7 +52,7 @@ struct Comparison {
 
 /// A kernel's hit is right if its triangle is hit there in exact arithmetic up to rounding, and nothing
 /// clearly inside a triangle is clearly nearer. `slack` bounds rounding: of t relative to t, and of
-/// barycentric weights.
+/// whether barycentric weights are inside; what the weights are is bounded by ten times as much.
 std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit, std::uint32_t id,
                       const std::vector<std::array<dvec3, 3>>& triangles, double slack) {
   Candidate nearest;
@@ -65,6 +68,9 @@ std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit
   if (own.margin < -slack) return fmt::format("hit triangle {} outside by {}", id, own.margin);
   if (std::abs(own.t - static_cast<double>(hit.t)) > tolerance)
     return fmt::format("t {} instead of {}", hit.t, own.t);
+  if (std::abs(own.b1 - static_cast<double>(hit.b1)) > 10 * slack ||
+      std::abs(own.b2 - static_cast<double>(hit.b2)) > 10 * slack)
+    return fmt::format("weights {}, {} instead of {}, {}", hit.b1, hit.b2, own.b1, own.b2);
   if (nearest.t < own.t - tolerance)
     return fmt::format("triangle {} at {} is nearer than {} at {}", nearest.id, nearest.t, id, own.t);
   return "";
@@ -83,7 +89,7 @@ Comparison compare_with_brute_force(const Scene& scene, double slack, bool stora
   std::vector<std::string> complaints(rays.size());
   parallel_for(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t id = hits[i].triangle == none ? none : packed.bvh.triangle(hits[i].triangle).v1.w;
+      const std::uint32_t id = hits[i].triangle == none ? none : packed.scene_index(hits[i].triangle);
       complaints[i] = check_hit(rays[i], hits[i], id, triangles, slack);
     }
   });
@@ -145,6 +151,33 @@ TEST(Traversal, random_soup) { expect_right_hits(triangle_soup(1, 20000, 0.05F, 
 TEST(Traversal, needles) { expect_right_hits(triangle_soup(2, 5000, 0.05F, 20), 1e-4, 1000); }
 TEST(Traversal, huge_triangles_through_each_other) {
   expect_right_hits(triangle_soup(3, 300, 10, 1), 1e-4, 1000);
+}
+
+/// Squares of two triangles whose vertices are in every order, so that any edge is the common one, wound any
+/// way.
+TEST(Traversal, pairs_of_triangles_in_every_order) {
+  std::array<int, 3> p{0, 1, 2};
+  std::vector<vec3> corners;
+  std::size_t squares = 0;
+  do {
+    std::array<int, 3> q{0, 2, 3};
+    do {
+      const vec3 at(static_cast<float>(squares % 6), static_cast<float>(squares / 6), 0);
+      ++squares;
+      const std::array<vec3, 4> square{vec3(0, 0, 0), vec3(0.9F, 0, 0.1F), vec3(0.9F, 0.9F, 0),
+                                       vec3(0, 0.9F, 0.2F)};
+      for (const std::array<int, 3>& triangle : {p, q}) {
+        for (const int k : triangle) corners.push_back(at + square[static_cast<std::size_t>(k)]);
+      }
+    } while (std::ranges::next_permutation(q).found);
+  } while (std::ranges::next_permutation(p).found);
+  Scene scene = make_scene("normals");
+  add_mesh(scene, make_mesh(corners), bsdf::Diffuse{});
+  set_camera(scene, 96, 60, {3, 3, -6}, {3, 3, 0});
+  const PackedScene packed = pack_scene(scene);
+  const auto is_pair = [](const shared::PairRecord& pair) { return pair.name1 != 0; };
+  EXPECT_EQ(std::ranges::count_if(packed.bvh.pairs, is_pair), static_cast<std::ptrdiff_t>(squares));
+  expect_right_hits(scene, 1e-4, 3000);
 }
 
 TEST(Traversal, a_thousand_coincident_triangles) {

@@ -1,0 +1,207 @@
+// What the acceleration structure is made of, on the host: pairs of triangles, and nodes of four children.
+#include "accel/bvh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "accel/wide_tree.h"
+
+namespace facet::test {
+namespace {
+
+using Triangles = std::vector<TriangleCorners>;
+
+/// A field of cells x cells squares of two triangles each, with hills.
+Triangles make_field(int cells) {
+  const auto vertex = [](int x, int y) {
+    const auto u = static_cast<float>(x);
+    const auto v = static_cast<float>(y);
+    return vec3(u, v, 2 * std::sin(0.3F * u) * std::cos(0.2F * v));
+  };
+  Triangles triangles;
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 0; x < cells; ++x) {
+      triangles.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1)});
+      triangles.push_back({vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+    }
+  }
+  return triangles;
+}
+
+Triangles make_soup(int count) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  Triangles triangles(static_cast<std::size_t>(count));
+  for (TriangleCorners& triangle : triangles) {
+    for (vec3& corner : triangle) {
+      for (int a = 0; a < 3; ++a) corner[a] = uniform(engine);
+    }
+  }
+  return triangles;
+}
+
+/// Triangles about one edge, like the pages of a book.
+Triangles make_book(int pages) {
+  Triangles triangles;
+  for (int i = 0; i < pages; ++i) {
+    const float phi = 6.28F * static_cast<float>(i) / static_cast<float>(pages);
+    triangles.push_back({vec3(0, 0, 0), vec3(std::cos(phi), std::sin(phi), 0.5F), vec3(0, 0, 1)});
+  }
+  return triangles;
+}
+
+float box_area(const Triangles& triangles, std::initializer_list<std::uint32_t> which) {
+  Box box;
+  for (const std::uint32_t i : which) box.add(bounds_of(triangles[i]));
+  return box.half_area();
+}
+
+/// The share of the triangles that found a partner.
+double share_joined(const Triangles& triangles) {
+  std::vector<int> times(triangles.size());
+  double joined = 0;
+  for (const TrianglePair& pair : pair_triangles(triangles)) {
+    ++times[pair.first];
+    if (pair.second == none) continue;
+    ++times[pair.second];
+    joined += 2;
+    const TriangleCorners& p = triangles[pair.first];
+    const TriangleCorners& q = triangles[pair.second];
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Corners 2 and 0 of the first are the second's that are not its apex.
+      EXPECT_EQ(std::ranges::count(q, p[(pair.turn + k) % 3]), k == 1 ? 0 : 1);
+    }
+    EXPECT_EQ(std::ranges::count(p, q[pair.apex]), 0);
+    EXPECT_LE(box_area(triangles, {pair.first, pair.second}),
+              box_area(triangles, {pair.first}) + box_area(triangles, {pair.second}));
+  }
+  EXPECT_TRUE(std::ranges::all_of(times, [](int t) { return t == 1; }));
+  return joined / static_cast<double>(triangles.size());
+}
+
+TEST(TrianglePairs, neighbours_in_the_file_are_joined) { EXPECT_EQ(share_joined(make_field(40)), 1); }
+
+TEST(TrianglePairs, neighbours_in_space_are_joined_whatever_their_order) {
+  Triangles triangles = make_field(40);
+  std::ranges::shuffle(triangles, std::mt19937(3));
+  EXPECT_GE(share_joined(triangles), 0.85);
+}
+
+TEST(TrianglePairs, strangers_are_not_joined) { EXPECT_EQ(share_joined(make_soup(500)), 0); }
+
+TEST(TrianglePairs, an_edge_of_very_many_triangles_takes_no_time) {
+  // Quadratic time would be hours.
+  EXPECT_GT(share_joined(make_book(1'000'000)), 0.5);
+}
+
+TEST(TrianglePairs, long_triangles_that_fill_a_large_box_together_stay_apart) {
+  // Along two edges of a square: neither is in the other's box.
+  const Triangles triangles{{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 0, 0.01F)},
+                            {vec3(0, 0, 0), vec3(0, 0, 0.01F), vec3(0, 1, 0)}};
+  EXPECT_EQ(share_joined(triangles), 0);
+}
+
+TEST(Bvh, gives_back_every_triangle_at_its_place_in_the_order_of_its_vertices) {
+  for (Triangles triangles : {make_field(20), make_soup(300), make_book(50)}) {
+    std::mt19937 engine(5);
+    for (TriangleCorners& triangle : triangles) std::ranges::shuffle(triangle, engine);
+    const Bvh bvh = build_bvh(triangles);
+    ASSERT_EQ(bvh.places.size(), triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
+    std::vector<std::uint32_t> places = bvh.places;
+    std::ranges::sort(places);
+    EXPECT_EQ(std::ranges::adjacent_find(places), places.end());
+  }
+}
+
+std::vector<BinaryNode> random_tree(std::uint32_t seed, std::uint32_t leaves) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  std::vector<BvhPrimitive> primitives(leaves);
+  for (std::uint32_t i = 0; i < leaves; ++i) {
+    const vec3 centre(uniform(engine), uniform(engine), uniform(engine));
+    primitives[i].box.add(centre - 0.3F);
+    primitives[i].box.add(centre + vec3(0.3F, 0.2F, 0.05F) * (1 + uniform(engine)));
+    primitives[i].index = i;
+  }
+  return build_binary_bvh(primitives);
+}
+
+/// Half areas of the wide nodes over a binary one.
+double area_of(const std::vector<BinaryNode>& binary, const WideTree& wide, std::uint32_t node) {
+  if (binary[node].is_leaf()) return 0;
+  double area = binary[node].box.half_area();
+  const Children children = wide.children_of(node);
+  for (std::uint32_t c = 0; c < children.count; ++c) area += area_of(binary, wide, children.nodes[c]);
+  return area;
+}
+
+/// The smallest that they can be, found by trying every way to open a node's children.
+class EveryWay {
+ public:
+  explicit EveryWay(const std::vector<BinaryNode>& binary) : binary_(binary) {}
+
+  double least_area(std::uint32_t node) {
+    if (binary_[node].is_leaf()) return 0;
+    if (const auto known = known_.find(node); known != known_.end()) return known->second;
+    return known_[node] = binary_[node].box.half_area() + least_of({node + 1, binary_[node].second});
+  }
+
+ private:
+  double least_of(const std::vector<std::uint32_t>& children) {
+    double least = 0;
+    for (const std::uint32_t c : children) least += least_area(c);
+    if (children.size() == 4) return least;
+    for (std::size_t k = 0; k < children.size(); ++k) {
+      if (binary_[children[k]].is_leaf()) continue;
+      std::vector<std::uint32_t> opened = children;
+      opened[k] = children[k] + 1;
+      opened.push_back(binary_[children[k]].second);
+      least = std::min(least, least_of(opened));
+    }
+    return least;
+  }
+
+  const std::vector<BinaryNode>& binary_;
+  std::map<std::uint32_t, double> known_;
+};
+
+TEST(WideTree, has_the_smallest_area_of_all_choices) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    const std::vector<BinaryNode> binary = random_tree(seed, 2 + 3 * seed);
+    const double least = EveryWay(binary).least_area(0);
+    EXPECT_NEAR(area_of(binary, WideTree(binary), 0), least, 1e-5 * least) << seed;
+  }
+}
+
+TEST(WideTree, of_boxes_too_large_for_areas_holds_every_leaf) {
+  std::vector<BvhPrimitive> primitives(100);
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    primitives[i].box.add(vec3(-1e30F));
+    primitives[i].box.add(vec3(1e30F + 1e28F * static_cast<float>(i)));
+    primitives[i].index = i;
+  }
+  const std::vector<BinaryNode> binary = build_binary_bvh(primitives);
+  const WideTree wide(binary);
+  std::vector<int> times(100);
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const Children children = wide.children_of(open.back());
+    open.pop_back();
+    for (std::uint32_t c = 0; c < children.count; ++c) {
+      const BinaryNode& child = binary[children.nodes[c]];
+      if (child.is_leaf()) {
+        ++times[child.primitive];
+      } else {
+        open.push_back(children.nodes[c]);
+      }
+    }
+  }
+  EXPECT_TRUE(std::ranges::all_of(times, [](int t) { return t == 1; }));
+}
+
+}  // namespace
+}  // namespace facet::test
