@@ -1,6 +1,8 @@
 # Everything facet is built from, all in Debian 12's packages (cmake/bootstrap.sh installs them).
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
+find_package(SPIRV-Tools REQUIRED)
+find_package(SPIRV-Tools-opt REQUIRED)
 find_package(glm REQUIRED)
 find_package(OpenEXR 3 REQUIRED)
 find_package(PNG REQUIRED)

@@ -6,8 +6,8 @@ find_program(SPIRV_VAL spirv-val REQUIRED)
 add_executable(embed_kernels ${CMAKE_CURRENT_LIST_DIR}/embed_kernels.cpp)
 target_link_libraries(embed_kernels PRIVATE facet_shared facet_warnings)
 
-set(FACET_KERNELS generate extend shade shadow schedule film)
-# They see no geometry.
+set(FACET_KERNELS bounce schedule film camera closest any)
+# They see no geometry, and read one BSDF from a storage buffer.
 set(FACET_EVALUATION_KERNELS evaluate sample)
 set(FACET_KERNEL_DIR ${CMAKE_BINARY_DIR}/kernels)
 file(MAKE_DIRECTORY ${FACET_KERNEL_DIR})
@@ -35,7 +35,7 @@ foreach(kernel IN LISTS FACET_KERNELS)
   facet_kernel(${kernel} storage -DFACET_NO_TEXEL_BUFFERS)
 endforeach()
 foreach(kernel IN LISTS FACET_EVALUATION_KERNELS)
-  facet_kernel(${kernel} any)
+  facet_kernel(${kernel} any -DFACET_NO_TEXEL_BUFFERS)
 endforeach()
 
 set(validate_commands)

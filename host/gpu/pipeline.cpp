@@ -1,6 +1,7 @@
 #include "gpu/pipeline.h"
 
 #include "core/error.h"
+#include "gpu/specialise.h"
 
 namespace facet::gpu {
 
@@ -64,15 +65,11 @@ BindingSet::BindingSet(const Device& device, const Layout& layout, std::span<con
 vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout,
                                          std::span<const std::uint32_t> code,
                                          std::span<const std::uint32_t> constants, const std::string& name) {
-  std::vector<vk::SpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < constants.size(); ++i) entries.emplace_back(i, i * 4U, 4U);
-  const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              constants.size_bytes(), constants.data());
+  const std::vector<std::uint32_t> special = specialise(code, constants, name);
   try {
-    const vk::raii::ShaderModule module(device.handle(),
-                                        vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                  &specialization);
+    const vk::raii::ShaderModule module(
+        device.handle(), vk::ShaderModuleCreateInfo({}, special.size() * sizeof(special[0]), special.data()));
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout.pipeline())};
   } catch (const vk::SystemError& e) {
     throw DeviceError(fmt::format("{} cannot compile the kernel {}: {}", device.info().name, name, e.what()));

@@ -122,4 +122,9 @@ std::uint32_t Features::bounce_limit() const {
   return static_cast<std::uint32_t>(std::max(1, limit + (looks ? 1 : 0)));
 }
 
+bool Features::is_last_bounce(std::uint32_t bounce) const {
+  const int limit = integrator.interaction_limit();
+  return limit >= 0 && bounce >= static_cast<std::uint32_t>(limit);
+}
+
 }  // namespace facet

@@ -31,6 +31,8 @@ struct Features {
   [[nodiscard]] std::vector<std::string> names() const;
   /// Bounces (rays one after another along a path) at most; 0: unlimited.
   [[nodiscard]] std::uint32_t bounce_limit() const;
+  /// Whether the bounce, counted from 0, comes after the last interaction: its ray looks for emission alone.
+  [[nodiscard]] bool is_last_bounce(std::uint32_t bounce) const;
 
  private:
   void add_bsdf_choices(std::vector<std::string>& list) const;

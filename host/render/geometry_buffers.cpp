@@ -6,31 +6,33 @@ namespace facet {
 
 namespace {
 
+template <typename Record>
+std::size_t bytes_of(const std::vector<Record>& records) {
+  return records.size() * sizeof(Record);
+}
+
 /// Texel buffers where the device has enough of them for all that is read so, and large enough ones.
 GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, bool force_storage_buffers) {
-  const std::size_t texels = std::max({packed.bvh.items.size() * sizeof(shared::BvhItem),
-                                       packed.bsdfs.size() * sizeof(shared::BsdfRecord),
-                                       packed.emitters.size() * sizeof(shared::EmitterRecord),
-                                       packed.meshes.size() * sizeof(shared::MeshRecord),
-                                       most_slots * sizeof(shared::ShadowRayRecord)}) /
-                             sizeof(glm::uvec4);
-  constexpr std::uint32_t images = 2 + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
+  const std::size_t texels =
+      std::max({bytes_of(packed.bvh.items), bytes_of(packed.bvh.pairs), bytes_of(packed.normal_indices),
+                bytes_of(packed.normals), bytes_of(packed.texcoord_indices), bytes_of(packed.texcoords),
+                bytes_of(packed.texels), bytes_of(packed.environment.texels),
+                bytes_of(packed.emitter_triangles), bytes_of(packed.emitters), bytes_of(packed.bsdfs),
+                bytes_of(packed.meshes), most_slots * sizeof(shared::PathRecord)}) /
+      sizeof(glm::uvec4);
+  constexpr std::uint32_t images =
+      shared::SCENE_BINDING_COUNT + shared::BINDING_COUNT - shared::BINDING_RAY_TEXELS;
   const bool fits = texels <= device.limits().maxTexelBufferElements &&
                     images <= device.limits().maxPerStageDescriptorStorageImages;
   return fits && !force_storage_buffers ? GeometryFetch::texel_buffer : GeometryFetch::storage_buffer;
-}
-
-vk::BufferUsageFlagBits usage_of(GeometryFetch fetch) {
-  using Usage = vk::BufferUsageFlagBits;
-  return fetch == GeometryFetch::texel_buffer ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer;
 }
 
 }  // namespace
 
 GeometryBuffers::GeometryBuffers(gpu::Device& device, const PackedScene& packed, bool force_storage_buffers)
     : fetch_(choose_fetch(device, packed, force_storage_buffers)),
-      items_(make_record_buffer(device, packed.bvh.items, "the BVH", usage_of(fetch_))),
-      pairs_(make_record_buffer(device, packed.bvh.pairs, "the triangles' names", usage_of(fetch_))) {
+      items_(make_record_buffer(device, packed.bvh.items, "the BVH", scene_usage(fetch_))),
+      pairs_(make_record_buffer(device, packed.bvh.pairs, "the triangles' names", scene_usage(fetch_))) {
   if (fetch_ != GeometryFetch::texel_buffer) return;
   views_.push_back(gpu::make_texel_view(device, items_));
   views_.push_back(gpu::make_texel_view(device, pairs_));
@@ -40,8 +42,7 @@ std::vector<vk::DescriptorType> GeometryBuffers::binding_types() const {
   std::vector<vk::DescriptorType> types(shared::BUFFER_BINDING_COUNT, vk::DescriptorType::eStorageBuffer);
   types[shared::BINDING_FRAME] = vk::DescriptorType::eUniformBuffer;
   if (fetch_ == GeometryFetch::texel_buffer) {
-    types[shared::BINDING_BVH] = vk::DescriptorType::eStorageTexelBuffer;
-    types[shared::BINDING_PAIRS] = vk::DescriptorType::eStorageTexelBuffer;
+    std::fill_n(types.begin(), shared::SCENE_BINDING_COUNT, vk::DescriptorType::eStorageTexelBuffer);
     types.resize(shared::BINDING_COUNT, vk::DescriptorType::eStorageTexelBuffer);
   }
   return types;

@@ -13,16 +13,23 @@ namespace facet {
 /// Paths in flight at most: the permutation of pixels computes in 32 bits.
 inline constexpr std::size_t most_slots = 1U << 21U;
 
-/// How records are bound that kernels write as storage and read as texels.
-inline constexpr vk::BufferUsageFlags record_usage =
+/// How the state of paths is bound, which kernels write as storage and read as texels.
+inline constexpr vk::BufferUsageFlags state_usage =
     vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eStorageTexelBuffer;
 
-/// A buffer with these records; throws InputError where it is larger than the device can bind.
+/// How the scene is bound.
+inline vk::BufferUsageFlagBits scene_usage(GeometryFetch fetch) {
+  using Usage = vk::BufferUsageFlagBits;
+  return fetch == GeometryFetch::texel_buffer ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer;
+}
+
+/// A buffer with these records, in whole texels; throws InputError where it is larger than the device can
+/// bind.
 template <typename Record>
 gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& records,
-                               const std::string& what,
-                               vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer) {
-  const std::uint64_t bytes = records.size() * sizeof(Record);
+                               const std::string& what, vk::BufferUsageFlags usage) {
+  constexpr std::uint64_t texel = sizeof(glm::uvec4);
+  const std::uint64_t bytes = (records.size() * sizeof(Record) + texel - 1) / texel * texel;
   if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes > device.limits().maxStorageBufferRange) {
     throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
                                  device.info().name, device.limits().maxStorageBufferRange));

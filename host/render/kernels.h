@@ -5,10 +5,9 @@
 
 namespace facet {
 
-enum class Kernel { generate, extend, shade, shadow, schedule, film, evaluate, sample };
+/// Those that render; that trace given rays; that evaluate one BSDF alone.
+enum class Kernel { bounce, schedule, film, camera, closest, any, evaluate, sample };
 inline constexpr int kernel_count = 8;
-/// The first ones: those that render. The others evaluate one BSDF alone.
-inline constexpr int render_kernel_count = 6;
 
 /// How geometry and records are read: the kernels' one build variant.
 enum class GeometryFetch { texel_buffer, storage_buffer };

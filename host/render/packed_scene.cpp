@@ -88,8 +88,9 @@ class Packer {
         attributes = static_cast<std::uint32_t>(first_triangle - rows);
         rows += count;
         append_indices(packed_.normal_indices, mesh.normal_indices, count, packed_.normals.size());
-        if (!mesh.normal_indices.empty())
-          packed_.normals.insert(packed_.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        if (!mesh.normal_indices.empty()) {
+          for (const vec3& n : mesh.normals) packed_.normals.emplace_back(n, 0);
+        }
         if (has_textures())
           append_indices(packed_.texcoord_indices, mesh.texcoord_indices, count, packed_.texcoords.size());
         if (textured)

@@ -1,5 +1,5 @@
 #pragma once
-// Given rays through a packed scene's triangles, by the kernels that render: what benchmarks ask.
+// Given rays through a packed scene's triangles, by the traversal of those that render: what benchmarks ask.
 #include <span>
 #include <vector>
 
@@ -11,7 +11,8 @@ class RayTracer {
  public:
   /// Uploads the geometry and compiles the kernels. At most most_rays can be traced at once. Throws
   /// InputError if anything does not fit the device.
-  RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32_t most_rays);
+  RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32_t most_rays,
+            bool force_storage_buffers = false);
 
   /// The rays of the next calls.
   void set_rays(std::span<const shared::RayRecord> rays);
@@ -24,6 +25,8 @@ class RayTracer {
   /// What the last call found, ray by ray.
   [[nodiscard]] std::vector<shared::HitRecord> hits() const;
   [[nodiscard]] std::vector<bool> occluded() const;
+  /// Rays so far whose traversal was stopped by its bound.
+  [[nodiscard]] std::uint32_t bound_hits() const;
 
   /// Of nodes and triangles on the device.
   [[nodiscard]] std::uint64_t geometry_bytes() const { return geometry_.bytes(); }
@@ -38,12 +41,9 @@ class RayTracer {
   gpu::Layout layout_;
   gpu::Buffer rays_;
   gpu::Buffer hits_;
-  gpu::Buffer paths_;
-  gpu::Buffer shadow_rays_;
-  gpu::Buffer queues_;
   gpu::Buffer counters_;
   gpu::Buffer unused_;
-  std::vector<vk::raii::BufferView> views_;  ///< by binding, BINDING_RAY_TEXELS on
+  std::vector<vk::raii::BufferView> views_;  ///< of what is bound as texels
   gpu::BindingSet set_;
   vk::raii::Pipeline closest_;
   vk::raii::Pipeline any_;

@@ -10,14 +10,6 @@ namespace facet {
 
 namespace {
 
-/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops that run
-/// too long.
-constexpr std::uint32_t samples_per_film_dispatch = 256;
-
-std::uint32_t workgroups(std::uint32_t invocations) {
-  return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
-}
-
 /// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land
 /// far apart.
 std::uint32_t permutation_stride(std::uint32_t runs) {
@@ -60,15 +52,9 @@ Renderer::~Renderer() = default;
 void Renderer::warm_up() {
   // Drivers compile at a kernel's first dispatch. A pass of no samples does that outside the timed render.
   device_.run([&](const vk::raii::CommandBuffer& c) {
-    shared::PassConstants none_at_all{};
-    none_at_all.pixel_count = 1;
     resources_->bind(c, 0);
-    c.fillBuffer(resources_->counters(), 0, VK_WHOLE_SIZE, 0);
-    gpu::barrier(c);
-    for (int k = 0; k < render_kernel_count; ++k) {
-      resources_->dispatch(c, static_cast<Kernel>(k), none_at_all, 1);
-      gpu::barrier(c);
-    }
+    resources_->clear_counters(c, 0);
+    resources_->record_nothing(c);
   });
 }
 
@@ -99,12 +85,7 @@ void Renderer::run_wave(const Wave& wave) {
     device_.run([&](const vk::raii::CommandBuffer& c) {
       r.bind(c, wave.film_piece);
       r.start_clock(c);
-      if (bounce == 0) {
-        r.clear_counters(c, slots);
-        r.dispatch(c, Kernel::generate, constants, workgroups(slots));
-        gpu::barrier(c);
-        r.end_stage(c, Stage::generate);
-      }
+      if (bounce == 0) r.clear_counters(c, slots);
       for (; bounce < end; ++bounce) {
         constants.bounce = bounce;
         constants.queue = bounce % 2;
@@ -117,13 +98,7 @@ void Renderer::run_wave(const Wave& wave) {
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, wave.film_piece);
     r.start_clock(c);
-    for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
-      constants.film_begin = k;
-      constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
-      r.dispatch(c, Kernel::film, constants, workgroups(constants.pixel_count));
-      gpu::barrier(c);
-    }
-    r.end_stage(c, Stage::film);
+    r.record_film(c, constants);
   });
   r.read_clock(statistics_.stage_seconds);
   const auto counters = r.read_counters();
@@ -199,21 +174,11 @@ std::vector<shared::RayRecord> Renderer::camera_rays() {
   constants.pixel_count = std::min(r.slot_count(), r.pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
-  const std::uint32_t groups = workgroups(constants.pixel_count);
   device_.run([&](const vk::raii::CommandBuffer& c) {
     r.bind(c, 0);
-    r.clear_counters(c, constants.pixel_count);
-    r.dispatch(c, Kernel::generate, constants, groups);
-    gpu::barrier(c);
-    r.dispatch(c, Kernel::extend, constants, groups);
-    gpu::barrier(c);
+    r.record_camera_rays(c, constants);
   });
   return r.read_rays(constants.pixel_count);
-}
-
-std::vector<shared::HitRecord> Renderer::camera_hits() {
-  const std::size_t count = camera_rays().size();
-  return resources_->read_hits(static_cast<std::uint32_t>(count));
 }
 
 }  // namespace facet

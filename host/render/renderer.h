@@ -31,9 +31,8 @@ class Renderer {
   /// filter's weight, row by row.
   [[nodiscard]] std::vector<vec3> render_sample(std::uint32_t sample);
 
-  /// What the camera's rays of sample 0 hit, one record a pixel of the crop; for tests of traversal.
-  [[nodiscard]] std::vector<shared::HitRecord> camera_hits();
-  /// The rays that camera_hits traces.
+  /// The camera's rays of sample 0, one a pixel of the crop, as many as there are paths in flight; for
+  /// benchmarks and tests.
   [[nodiscard]] std::vector<shared::RayRecord> camera_rays();
 
  private:

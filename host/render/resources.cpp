@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace facet {
 
@@ -15,12 +16,20 @@ using Usage = vk::BufferUsageFlagBits;
 constexpr std::uint32_t slots_on_cpu = 1U << 18U;
 constexpr std::uint32_t slots_on_gpu = 1U << 20U;
 
+/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops that run
+/// too long.
+constexpr std::uint32_t samples_per_film_dispatch = 256;
+
+std::uint32_t workgroups(std::uint32_t invocations) {
+  return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
+}
+
 std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
   // The largest record of a path must be bindable.
   const auto bindable =
-      static_cast<std::uint32_t>(device.limits().maxStorageBufferRange / sizeof(shared::ShadowRayRecord));
+      static_cast<std::uint32_t>(device.limits().maxStorageBufferRange / sizeof(shared::RayRecord));
   return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most_slots, bindable}));
 }
 
@@ -42,27 +51,35 @@ shared::FrameRecord complete_frame(const PackedScene& packed, const Features& fe
   return frame;
 }
 
-/// What the kernels read beside the geometry, by binding from BINDING_NORMAL_INDICES on.
-std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p,
-                                            const Features& features, const RenderSettings& settings) {
-  const std::vector<shared::FrameRecord> frame{complete_frame(p, features, settings)};
+/// The filter's intervals, offset and |filter| at both ends of each.
+std::vector<glm::vec4> filter_intervals(const FilterTable& filter) {
+  std::vector<glm::vec4> intervals;
+  for (std::size_t i = 0; i + 1 < filter.quantiles.size(); ++i)
+    intervals.emplace_back(filter.quantiles[i], filter.quantiles[i + 1]);
+  return intervals;
+}
+
+/// What the kernels read of the scene beside the geometry, by binding from BINDING_NORMAL_INDICES on.
+std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p, GeometryFetch fetch) {
   std::vector<gpu::Buffer> buffers;
-  buffers.push_back(make_record_buffer(device, p.normal_indices, "the normals' indices"));
-  buffers.push_back(make_record_buffer(device, p.normals, "the normals"));
-  buffers.push_back(make_record_buffer(device, p.meshes, "the meshes", record_usage));
-  buffers.push_back(make_record_buffer(device, p.bsdfs, "the BSDFs", record_usage));
-  buffers.push_back(make_record_buffer(device, p.emitters, "the emitters", record_usage));
-  buffers.push_back(make_record_buffer(device, p.emitter_triangles, "the emitters' triangles"));
-  buffers.push_back(make_record_buffer(device, p.environment.texels, "the environment map"));
-  buffers.push_back(make_record_buffer(device, p.environment.rows, "the environment's rows"));
-  buffers.push_back(make_record_buffer(device, p.environment.columns, "the environment's columns"));
-  buffers.push_back(make_record_buffer(device, p.filter.quantiles, "the filter"));
-  buffers.push_back(make_record_buffer(device, p.texcoord_indices, "the texture coordinates' indices"));
-  buffers.push_back(make_record_buffer(device, p.texcoords, "the texture coordinates"));
-  buffers.push_back(make_record_buffer(device, p.textures, "the textures"));
-  buffers.push_back(make_record_buffer(device, p.texels, "the textures' images"));
-  buffers.push_back(make_record_buffer(device, p.albedos, "the tables of albedos"));
-  buffers.push_back(make_record_buffer(device, frame, "the frame", Usage::eUniformBuffer));
+  const auto add = [&](const auto& records, const char* what) {
+    buffers.push_back(make_record_buffer(device, records, what, scene_usage(fetch)));
+  };
+  add(p.normal_indices, "the normals' indices");
+  add(p.normals, "the normals");
+  add(p.meshes, "the meshes");
+  add(p.bsdfs, "the BSDFs");
+  add(p.emitters, "the emitters");
+  add(p.emitter_triangles, "the emitters' triangles");
+  add(p.environment.texels, "the environment map");
+  add(p.environment.rows, "the environment's rows");
+  add(p.environment.columns, "the environment's columns");
+  add(filter_intervals(p.filter), "the filter");
+  add(p.texcoord_indices, "the texture coordinates' indices");
+  add(p.texcoords, "the texture coordinates");
+  add(p.textures, "the textures");
+  add(p.texels, "the textures' images");
+  add(p.albedos, "the tables of albedos");
   return buffers;
 }
 
@@ -75,7 +92,7 @@ std::vector<Record> read_records(const gpu::Buffer& buffer, std::uint32_t count)
 }
 
 gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
-  return {device, records * record_bytes, record_usage, "the paths in flight"};
+  return {device, records * record_bytes, state_usage, "the paths in flight"};
 }
 
 }  // namespace
@@ -83,8 +100,8 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
                                const RenderSettings& settings)
     : device_(device),
-      shadow_rays_(features.integrator.type.emitter_sampling || features.integrator.type.name == "ao" ||
-                   features.integrator.type.name == "simple"),
+      features_(features),
+      stack_size_(packed.bvh.stack_size),
       rounds_(features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size()) : 1),
       variance_(features.variance),
       pixel_count_(crop_pixels(settings.crop)),
@@ -92,26 +109,49 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
                                std::uint64_t{pixel_count_} * (settings.end_sample - settings.first_sample))),
       geometry_(device, packed, settings.force_storage_buffers),
       layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
-      scene_(make_scene_buffers(device, packed, features, settings)),
+      scene_(make_scene_buffers(device, packed, geometry_.fetch())),
+      frame_(make_record_buffer(device, std::vector{complete_frame(packed, features, settings)}, "the frame",
+                                Usage::eUniformBuffer)),
       rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
-      hits_(make_state(device, slot_count_, sizeof(shared::HitRecord))),
+      // Hits stay in registers but between the rounds of a bounce.
+      hits_(make_state(device, rounds_ > 1 ? slot_count_ : 0, sizeof(shared::HitRecord))),
       paths_(make_state(device, slot_count_, sizeof(shared::PathRecord))),
-      shadow_(make_state(device, shadow_rays_ ? slot_count_ : 0, sizeof(shared::ShadowRayRecord))),
       queues_(make_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
       counters_(device, shared::COUNTER_WORDS * sizeof(std::uint32_t),
-                Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters") {
+                Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters"),
+      schedule_(make_pipeline(Kernel::schedule)),
+      film_kernel_(make_pipeline(Kernel::film)) {
+  make_bounce_kernels();
   make_film();
   bind_everything();
-  if (settings.time_stages) {
-    const std::size_t marks_of_bounce = 1 + 2 * rounds_;
-    stopwatch_.emplace(device, static_cast<std::uint32_t>(1 + marks_of_bounce * bounces_per_submission));
-  }
-  const auto constants = features.constants(packed.bvh.stack_size);
-  for (int k = 0; k < render_kernel_count; ++k) {
-    const auto kernel = static_cast<Kernel>(k);
-    pipelines_.push_back(gpu::make_compute_pipeline(device, layout_, kernel_code(kernel, geometry_.fetch()),
-                                                    constants, kernel_name(kernel)));
-  }
+  if (settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
+}
+
+vk::raii::Pipeline Renderer::Resources::make_pipeline(Kernel kernel, BounceKind kind) const {
+  auto constants = features_.constants(stack_size_);
+  constants[shared::SPEC_CAMERA_BOUNCE] = kind.camera ? 1 : 0;
+  constants[shared::SPEC_LAST_BOUNCE] = kind.last ? 1 : 0;
+  return gpu::make_compute_pipeline(device_, layout_, kernel_code(kernel, geometry_.fetch()), constants,
+                                    kernel_name(kernel));
+}
+
+Renderer::Resources::BounceKind Renderer::Resources::kind_of(std::uint32_t bounce) const {
+  return {bounce == 0, features_.is_last_bounce(bounce)};
+}
+
+std::optional<vk::raii::Pipeline>& Renderer::Resources::bounce_kernel(BounceKind kind) {
+  return bounce_kernels_[(kind.camera ? 1U : 0U) + (kind.last ? 2U : 0U)];
+}
+
+void Renderer::Resources::make_bounce_kernels() {
+  const std::uint32_t limit = features_.bounce_limit();
+  // The first, one in between, and the last, as far as there are such.
+  std::vector<BounceKind> kinds{kind_of(0)};
+  if (limit != 1) kinds.push_back(kind_of(1));
+  if (limit > 2 && kind_of(limit - 1).last && !kind_of(1).last) kinds.push_back(kind_of(limit - 1));
+  parallel_for(kinds.size(), 1, [&](std::size_t i, std::size_t /*end*/) {
+    bounce_kernel(kinds[i]).emplace(make_pipeline(Kernel::bounce, kinds[i]));
+  });
 }
 
 void Renderer::Resources::make_film() {
@@ -134,10 +174,10 @@ void Renderer::Resources::bind_everything() {
   geometry_.bind(bindings);
   for (std::size_t i = 0; i < scene_.size(); ++i)
     bindings[shared::BINDING_NORMAL_INDICES + i].buffer = &scene_[i];
+  bindings[shared::BINDING_FRAME].buffer = &frame_;
   bindings[shared::BINDING_RAYS].buffer = &rays_;
   bindings[shared::BINDING_HITS].buffer = &hits_;
   bindings[shared::BINDING_PATHS].buffer = &paths_;
-  bindings[shared::BINDING_SHADOW_RAYS].buffer = &shadow_;
   bindings[shared::BINDING_QUEUES].buffer = &queues_;
   bindings[shared::BINDING_COUNTERS].buffer = &counters_;
   bind_texels(bindings);
@@ -150,13 +190,14 @@ void Renderer::Resources::bind_everything() {
 
 void Renderer::Resources::bind_texels(std::vector<gpu::Binding>& bindings) {
   if (geometry_.fetch() != GeometryFetch::texel_buffer) return;
-  texel_views_.reserve(shared::BINDING_COUNT - shared::BUFFER_BINDING_COUNT);
-  for (const std::uint32_t records :
-       {shared::BINDING_RAYS, shared::BINDING_HITS, shared::BINDING_PATHS, shared::BINDING_SHADOW_RAYS,
-        shared::BINDING_MESHES, shared::BINDING_BSDFS, shared::BINDING_EMITTERS}) {
-    const gpu::Buffer* buffer = bindings[records].buffer;
-    bindings.push_back({buffer, &texel_views_.emplace_back(gpu::make_texel_view(device_, *buffer))});
-  }
+  texel_views_.reserve(bindings.size() + shared::BINDING_COUNT);
+  const auto view_of = [&](const gpu::Buffer& buffer) {
+    return &texel_views_.emplace_back(gpu::make_texel_view(device_, buffer));
+  };
+  for (std::size_t i = shared::BINDING_NORMAL_INDICES; i < shared::SCENE_BINDING_COUNT; ++i)
+    bindings[i].view = view_of(*bindings[i].buffer);
+  for (std::size_t i = shared::BINDING_RAYS; i <= shared::BINDING_PATHS; ++i)
+    bindings.push_back({bindings[i].buffer, view_of(*bindings[i].buffer)});
 }
 
 void Renderer::Resources::bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const {
@@ -164,21 +205,11 @@ void Renderer::Resources::bind(const vk::raii::CommandBuffer& c, std::size_t fil
                        {});
 }
 
-void Renderer::Resources::dispatch(const vk::raii::CommandBuffer& c, Kernel kernel,
-                                   const shared::PassConstants& constants, std::uint32_t groups) const {
-  c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipelines_[static_cast<std::size_t>(kernel)]);
+void Renderer::Resources::use(const vk::raii::CommandBuffer& c, const vk::raii::Pipeline& pipeline,
+                              const shared::PassConstants& constants) const {
+  c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
   c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute, 0,
                                          constants);
-  c.dispatch(groups, 1, 1);
-}
-
-void Renderer::Resources::dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel,
-                                            const shared::PassConstants& constants,
-                                            std::uint32_t counter_word) const {
-  c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipelines_[static_cast<std::size_t>(kernel)]);
-  c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute, 0,
-                                         constants);
-  c.dispatchIndirect(counters_.handle(), counter_word * sizeof(std::uint32_t));
 }
 
 void Renderer::Resources::clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const {
@@ -203,30 +234,50 @@ void Renderer::Resources::read_clock(std::span<double> seconds) {
 
 void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
                                         const shared::PassConstants& constants) {
-  shared::PassConstants stage = constants;
-  dispatch(c, Kernel::schedule, stage, 1);
+  use(c, schedule_, constants);
+  c.dispatch(1, 1, 1);
   gpu::barrier(c);
-  dispatch_indirect(c, Kernel::extend, constants, shared::INDIRECT_PATHS);
-  gpu::barrier(c);
-  end_stage(c, Stage::extend);
-  for (std::uint32_t emitter = 0; emitter < rounds_; ++emitter) {
-    stage.emitter = emitter;
-    if (emitter > 0) {
-      stage.stage = 2;
-      dispatch(c, Kernel::schedule, stage, 1);
-      gpu::barrier(c);
-    }
-    dispatch_indirect(c, Kernel::shade, stage, shared::INDIRECT_PATHS);
+  shared::PassConstants round = constants;
+  for (round.emitter = 0; round.emitter < rounds_; ++round.emitter) {
+    use(c, bounce_kernel(kind_of(constants.bounce)).value(), round);
+    c.dispatchIndirect(counters_.handle(), shared::INDIRECT_PATHS * sizeof(std::uint32_t));
     gpu::barrier(c);
-    end_stage(c, Stage::shade);
-    if (!shadow_rays_) continue;
-    stage.stage = 1;
-    dispatch(c, Kernel::schedule, stage, 1);
-    gpu::barrier(c);
-    dispatch_indirect(c, Kernel::shadow, constants, shared::INDIRECT_SHADOW);
-    gpu::barrier(c);
-    end_stage(c, Stage::shadow);
   }
+  end_stage(c, constants.bounce == 0 ? Stage::first_bounce : Stage::later_bounces);
+}
+
+void Renderer::Resources::record_film(const vk::raii::CommandBuffer& c, shared::PassConstants constants) {
+  for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
+    constants.film_begin = k;
+    constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
+    use(c, film_kernel_, constants);
+    c.dispatch(workgroups(constants.pixel_count), 1, 1);
+    gpu::barrier(c);
+  }
+  end_stage(c, Stage::film);
+}
+
+void Renderer::Resources::record_camera_rays(const vk::raii::CommandBuffer& c,
+                                             const shared::PassConstants& constants) {
+  if (!camera_) camera_.emplace(make_pipeline(Kernel::camera));
+  use(c, *camera_, constants);
+  c.dispatch(workgroups(constants.pixel_count), 1, 1);
+  gpu::barrier(c);
+}
+
+void Renderer::Resources::record_nothing(const vk::raii::CommandBuffer& c) const {
+  shared::PassConstants nothing{};
+  nothing.pixel_count = 1;
+  const auto record = [&](const vk::raii::Pipeline& pipeline) {
+    use(c, pipeline, nothing);
+    c.dispatch(1, 1, 1);
+    gpu::barrier(c);
+  };
+  record(schedule_);
+  for (const std::optional<vk::raii::Pipeline>& kernel : bounce_kernels_) {
+    if (kernel) record(*kernel);
+  }
+  record(film_kernel_);
 }
 
 std::array<std::uint32_t, shared::COUNTER_WORDS> Renderer::Resources::read_counters() const {
@@ -252,10 +303,6 @@ FilmRecords Renderer::Resources::read_film() const {
 
 std::vector<shared::RayRecord> Renderer::Resources::read_rays(std::uint32_t count) const {
   return read_records<shared::RayRecord>(rays_, count);
-}
-
-std::vector<shared::HitRecord> Renderer::Resources::read_hits(std::uint32_t count) const {
-  return read_records<shared::HitRecord>(hits_, count);
 }
 
 std::vector<shared::PathRecord> Renderer::Resources::read_paths(std::uint32_t count) const {

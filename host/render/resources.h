@@ -36,12 +36,16 @@ struct Renderer::Resources {
 
   /// Binds the buffers, with one piece of the film.
   void bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const;
-  void dispatch(const vk::raii::CommandBuffer& c, Kernel kernel, const shared::PassConstants& constants,
-                std::uint32_t groups) const;
   /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
   void clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const;
-  /// extend, shade and shadow, sized by their queues.
+  /// One bounce of all paths in the queue.
   void record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
+  /// The finished samples into the film.
+  void record_film(const vk::raii::CommandBuffer& c, shared::PassConstants constants);
+  /// The camera's rays alone.
+  void record_camera_rays(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
+  /// Every kernel once, on a pass without work.
+  void record_nothing(const vk::raii::CommandBuffer& c) const;
 
   /// Where stages are timed: begins a submission; ends a stage of it; adds up what a finished one took.
   void start_clock(const vk::raii::CommandBuffer& c);
@@ -53,7 +57,6 @@ struct Renderer::Resources {
   [[nodiscard]] FilmRecords read_film() const;
   [[nodiscard]] std::vector<shared::RayRecord> read_rays(std::uint32_t count) const;
   [[nodiscard]] std::vector<shared::PathRecord> read_paths(std::uint32_t count) const;
-  [[nodiscard]] std::vector<shared::HitRecord> read_hits(std::uint32_t count) const;
 
   [[nodiscard]] std::uint32_t pixel_count() const { return pixel_count_; }
   [[nodiscard]] std::uint32_t slot_count() const { return slot_count_; }
@@ -62,33 +65,46 @@ struct Renderer::Resources {
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(std::size_t piece) const;
 
  private:
-  void dispatch_indirect(const vk::raii::CommandBuffer& c, Kernel kernel,
-                         const shared::PassConstants& constants, std::uint32_t counter_word) const;
+  /// What a kernel for a bounce is specialised to.
+  struct BounceKind {
+    bool camera;
+    bool last;
+  };
+  [[nodiscard]] BounceKind kind_of(std::uint32_t bounce) const;
+  [[nodiscard]] std::optional<vk::raii::Pipeline>& bounce_kernel(BounceKind kind);
+  [[nodiscard]] vk::raii::Pipeline make_pipeline(Kernel kernel, BounceKind kind = {}) const;
+  void make_bounce_kernels();
+  void use(const vk::raii::CommandBuffer& c, const vk::raii::Pipeline& pipeline,
+           const shared::PassConstants& constants) const;
   void make_film();
   void bind_everything();
   void bind_texels(std::vector<gpu::Binding>& bindings);
 
   gpu::Device& device_;
-  bool shadow_rays_;
-  std::size_t rounds_;  ///< of shading a bounce: one for each emitter where all are sampled
+  Features features_;
+  std::uint32_t stack_size_;
+  std::size_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   bool variance_;
   std::uint32_t pixel_count_;
   std::uint32_t slot_count_;
   std::vector<FilmPiece> pieces_;
   GeometryBuffers geometry_;
   gpu::Layout layout_;
-  std::vector<gpu::Buffer> scene_;  ///< by binding, BINDING_NORMAL_INDICES to BINDING_FRAME
+  std::vector<gpu::Buffer> scene_;  ///< by binding, from BINDING_NORMAL_INDICES on
+  gpu::Buffer frame_;
   gpu::Buffer rays_;
   gpu::Buffer hits_;
   gpu::Buffer paths_;
-  gpu::Buffer shadow_;
   gpu::Buffer queues_;
   gpu::Buffer counters_;
   std::vector<gpu::Buffer> film_;                  ///< one a piece
   std::vector<gpu::Buffer> squares_;               ///< likewise; a single dummy without variance
-  std::vector<vk::raii::BufferView> texel_views_;  ///< by binding, BINDING_RAY_TEXELS on
+  std::vector<vk::raii::BufferView> texel_views_;  ///< of what is bound as texels
   std::vector<gpu::BindingSet> sets_;              ///< one a piece
-  std::vector<vk::raii::Pipeline> pipelines_;      ///< by Kernel
+  std::array<std::optional<vk::raii::Pipeline>, 4> bounce_kernels_;
+  vk::raii::Pipeline schedule_;
+  vk::raii::Pipeline film_kernel_;
+  std::optional<vk::raii::Pipeline> camera_;  ///< once asked for
   std::optional<gpu::Stopwatch> stopwatch_;
 };
 

@@ -8,8 +8,8 @@
 namespace facet {
 
 /// What the device works on, pass by pass.
-enum class Stage : std::size_t { generate, extend, shade, shadow, film };
-inline constexpr std::array<std::string_view, 5> stage_names{"generate", "extend", "shade", "shadow", "film"};
+enum class Stage : std::size_t { first_bounce, later_bounces, film };
+inline constexpr std::array<std::string_view, 3> stage_names{"first_bounce", "later_bounces", "film"};
 
 struct RenderStatistics {
   std::uint64_t closest_rays = 0;

@@ -27,7 +27,7 @@ float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
   return c > 0.0 ? min((distance / e.radiance.w) * (distance / c), 1.0e37) : 0.0;
 }
 
-#define FACET_TRIANGLE_COUNT(i) emitter_triangles[i].cumulative
+#define FACET_TRIANGLE_COUNT(i) fetch_emitter_triangle(i).cumulative
 FACET_DEFINE_CHOICE(choose_emitter_triangle, FACET_TRIANGLE_COUNT)
 
 /// from: the shaded surface.
@@ -35,7 +35,7 @@ EmitterSample area_sample(EmitterRecord e, Surface from, uint primitive_bits, ve
   vec2 b = square_to_triangle(u);
   uint last = e.first_triangle + max(e.triangle_count, 1u) - 1u;
   uint chosen = choose_emitter_triangle(e.first_triangle, last, choice_word(primitive_bits));
-  Surface s = surface_at(emitter_triangles[chosen].triangle, b.x, b.y);
+  Surface s = surface_at(fetch_emitter_triangle(chosen).triangle, b.x, b.y);
   vec3 to = s.position - from.position;
   EmitterSample r;
   r.d = normalize_safe(to);

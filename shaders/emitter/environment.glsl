@@ -10,7 +10,7 @@
    between texel centres; u wraps, v clamps. Sampled by the mean of the bilinear luminance over each texel's cell times the
    cell's solid angle, uniformly within it (docs/sampling.md).
    Record: of a texel: rgb, and the cell's density in sr^-1. */
-#include "../lib/bindings.glsl"
+#include "../lib/records.glsl"
 #include "../lib/elementary.glsl"
 #include "../lib/emitter_sample.glsl"
 #include "../lib/frame.glsl"
@@ -24,7 +24,7 @@ vec2 environment_coordinates(vec3 d) {
   return vec2((1.0 - u) * float(frame.environment_width), (1.0 - v) * float(frame.environment_height));
 }
 
-vec4 environment_texel(uint x, uint y) { return environment_texels[y * frame.environment_width + x]; }
+vec4 environment_texel(uint x, uint y) { return uintBitsToFloat(environment_map_texel(y * frame.environment_width + x)); }
 
 /// Radiance arriving from direction d.
 vec3 environment_eval(vec3 d) {
@@ -50,9 +50,9 @@ float environment_pdf(vec3 d) {
   return environment_texel(x, y).w;
 }
 
-#define FACET_ROW_COUNT(i) environment_rows[i].cumulative
+#define FACET_ROW_COUNT(i) fetch_environment_row(i).cumulative
 FACET_DEFINE_CHOICE(choose_environment_row, FACET_ROW_COUNT)
-#define FACET_COLUMN_COUNT(i) environment_columns[i]
+#define FACET_COLUMN_COUNT(i) fetch_environment_column(i)
 FACET_DEFINE_CHOICE(choose_environment_cell, FACET_COLUMN_COUNT)
 
 /// How far bits lies into [begin, end), in [0, 1).
@@ -64,18 +64,19 @@ EmitterSample environment_sample(uint row_bits, uint column_bits) {
   row_bits = choice_word(row_bits);
   column_bits = choice_word(column_bits);
   uint row = choose_environment_row(0u, frame.environment_height - 1u, row_bits);
-  uint row_begin = row > 0u ? environment_rows[row - 1u].cumulative : 0u;
-  float fy = interval_fraction(row_bits, row_begin, environment_rows[row].cumulative);
+  EnvironmentRow chosen = fetch_environment_row(row);
+  uint row_begin = row > 0u ? fetch_environment_row(row - 1u).cumulative : 0u;
+  float fy = interval_fraction(row_bits, row_begin, chosen.cumulative);
   uint first = row * frame.environment_width;
   uint cell = choose_environment_cell(first, first + frame.environment_width - 1u, column_bits);
-  uint cell_begin = cell > first ? environment_columns[cell - 1u] : 0u;
-  float fx = interval_fraction(column_bits, cell_begin, environment_columns[cell]);
-  float y = lerp(environment_rows[row].y_begin, environment_rows[row].y_end, fy);
+  uint cell_begin = cell > first ? fetch_environment_column(cell - 1u) : 0u;
+  float fx = interval_fraction(column_bits, cell_begin, fetch_environment_column(cell));
+  float y = lerp(chosen.y_begin, chosen.y_end, fy);
   float radius = sqrt(max((1.0 - y) * (1.0 + y), 0.0));
   vec2 sc = sincos_turns(1.0 - (float(cell - first) + fx) / float(frame.environment_width));
   EmitterSample r;
   r.d = vec3(radius * sc.y, y, radius * sc.x);
-  r.pdf = environment_texels[cell].w;
+  r.pdf = uintBitsToFloat(environment_map_texel(cell).w);
   r.radiance = environment_eval(r.d);
   r.point = r.d;
   r.at_infinity = true;

@@ -6,10 +6,7 @@
 #include "../lib/warp.glsl"
 
 PathStep shade_ambient_occlusion(PathRecord path, RayRecord ray, HitRecord hit, SampleId id) {
-  PathStep step;
-  step.path = path;
-  step.next = ray;
-  step.alive = false;
+  PathStep step = unchanged_path(path, ray);
   step.has_shadow = hit.triangle != NONE;
   uint triangle = step.has_shadow ? hit.triangle : 0u;
   Surface s = surface_at(triangle, hit.b1, hit.b2);
@@ -18,6 +15,7 @@ PathStep shade_ambient_occlusion(PathRecord path, RayRecord ray, HitRecord hit, 
   vec3 local = square_to_cosine_hemisphere(vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V])));
   vec3 d = to_world(frame_from_normal(ns), local);
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, d);
-  step.shadow = ShadowRayRecord(vec4(from, 0.0), vec4(d, LARGEST), 1.0, 1.0, 1.0, 0u);
+  step.shadow = RayRecord(vec4(from, 0.0), vec4(d, LARGEST));
+  step.contribution = vec3(1.0);
   return step;
 }

@@ -49,7 +49,8 @@ void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo,
   vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (abs(wi.z) / e.pdf));
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
   vec4 direction = e.at_infinity ? vec4(e.d, LARGEST) : vec4(e.point - from, 1.0);
-  step.shadow = ShadowRayRecord(vec4(from, 0.0), direction, contribution.r, contribution.g, contribution.b, 0u);
+  step.shadow = RayRecord(vec4(from, 0.0), direction);
+  step.contribution = contribution;
   // Written so that NaN is kept: such a sample is to be counted as bad, not to vanish here.
   bool dark = contribution.x == 0.0 && contribution.y == 0.0 && contribution.z == 0.0;
   step.has_shadow = e.pdf > 0.0 && !dark;
@@ -85,11 +86,7 @@ EmitterSample emitter_sample(Surface s, SampleId id, uint k) {
 
 /// Interaction k = bounce + 1 of a path whose ray has found `hit`.
 PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, uint bounce) {
-  PathStep step;
-  step.path = path;
-  step.next = ray;
-  step.shadow = ShadowRayRecord(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0u);
-  step.has_shadow = false;
+  PathStep step = unchanged_path(path, ray);
   bool missed = hit.triangle == NONE;
   vec3 d = ray.direction.xyz;
   Surface s = surface_at(missed ? 0u : hit.triangle, hit.b1, hit.b2);
@@ -99,12 +96,14 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   found.pdf = missed ? sky.pdf : found.pdf;
   step.path.radiance.rgb += path.throughput.rgb * weighted_emission(found, path.throughput.w, bounce);
 
+  if (LAST_BOUNCE) return step;
+
   uint k = bounce + 1u;
   Frame shading = frame_from_normal(s.ns);
   vec3 wo = to_local(shading, -d);
   BsdfRecord bsdf = textured_bsdf(fetch_bsdf(fetch_mesh(s.mesh).bsdf), s.uv);
   bool visible = wo.z > 0.0 || HAS_FLAG(bsdf.flags, BSDF_TRANSMITS);
-  bool scatters = !missed && visible && k <= frame.max_depth;
+  bool scatters = !missed && visible;
   if (EMITTER_SAMPLING) {
     sample_direct_light(step, s, shading, wo, bsdf, emitter_sample(s, id, k));
     step.has_shadow = step.has_shadow && scatters;

@@ -10,10 +10,7 @@
 #include "../lib/surface.glsl"
 
 PathStep shade_simple(PathRecord path, RayRecord ray, HitRecord hit) {
-  PathStep step;
-  step.path = path;
-  step.next = ray;
-  step.alive = false;
+  PathStep step = unchanged_path(path, ray);
   bool found = hit.triangle != NONE;
   Surface s = surface_at(found ? hit.triangle : 0u, hit.b1, hit.b2);
   vec3 to = frame.simple_position.xyz - s.position;
@@ -23,6 +20,7 @@ PathStep shade_simple(PathRecord path, RayRecord ray, HitRecord hit) {
   vec3 light = frame.simple_energy.rgb * (cosine / distance / distance);
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, d);
   step.has_shadow = found && cosine > 0.0 && distance > 0.0;
-  step.shadow = ShadowRayRecord(vec4(from, 0.0), vec4(frame.simple_position.xyz - from, 1.0), light.r, light.g, light.b, 0u);
+  step.shadow = RayRecord(vec4(from, 0.0), vec4(frame.simple_position.xyz - from, 1.0));
+  step.contribution = light;
   return step;
 }

@@ -19,7 +19,7 @@ void main() {
   if (i >= evaluation.count) return;
   vec3 numbers = random_numbers(i);
   if (evaluation.given == 1u) numbers = queries[i].first.xyz;
-  BsdfSample s = bsdf_sample(bsdfs[0], evaluation.wo.xyz, numbers.x, numbers.yz);
+  BsdfSample s = bsdf_sample(fetch_bsdf(0u), evaluation.wo.xyz, numbers.x, numbers.yz);
   values[i] = vec4(s.wi, s.pdf);
   weights[i] = vec4(s.weight, 0.0);
 }

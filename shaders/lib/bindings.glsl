@@ -4,31 +4,41 @@
 #include "../shared/bindings.h"
 #include "../shared/records.h"
 
-layout(std430, binding = BINDING_NORMAL_INDICES) readonly buffer NormalIndices { uvec4 normal_indices[]; };
-layout(std430, binding = BINDING_NORMALS) readonly buffer Normals { float normals[]; };
-layout(std430, binding = BINDING_MESHES) readonly buffer Meshes { MeshRecord meshes[]; };
-layout(std430, binding = BINDING_BSDFS) readonly buffer Bsdfs { BsdfRecord bsdfs[]; };
-layout(std430, binding = BINDING_EMITTERS) readonly buffer Emitters { EmitterRecord emitters[]; };
-layout(std430, binding = BINDING_EMITTER_TRIANGLES) readonly buffer EmitterTriangles {
-  EmitterTriangle emitter_triangles[];
-};
-layout(std430, binding = BINDING_ENVIRONMENT_TEXELS) readonly buffer EnvironmentTexels { vec4 environment_texels[]; };
-layout(std430, binding = BINDING_ENVIRONMENT_ROWS) readonly buffer EnvironmentRows {
-  EnvironmentRow environment_rows[];
-};
-layout(std430, binding = BINDING_ENVIRONMENT_COLUMNS) readonly buffer EnvironmentColumns { uint environment_columns[]; };
-layout(std430, binding = BINDING_FILTER) readonly buffer Filter { vec2 filter_quantiles[]; };
-layout(std430, binding = BINDING_TEXCOORD_INDICES) readonly buffer TexcoordIndices { uvec4 texcoord_indices[]; };
-layout(std430, binding = BINDING_TEXCOORDS) readonly buffer Texcoords { vec2 texcoords[]; };
-layout(std430, binding = BINDING_TEXTURES) readonly buffer Textures { TextureRecord textures[]; };
-layout(std430, binding = BINDING_TEXELS) readonly buffer Texels { uint texels[]; };
-layout(std430, binding = BINDING_ALBEDOS) readonly buffer Albedos { float albedos[]; };
+// The scene, in texels of four words, each array with a function NAME_texel(i). The one build variant of the kernels is here:
+// texel buffers, read as images (the fast load of lavapipe, inlined, unlike texelFetch; a storage buffer it reads word by word,
+// lane by lane), or, where a device's are too small, storage buffers.
+#ifdef FACET_NO_TEXEL_BUFFERS
+#define FACET_TEXELS(number, name)                                                          \
+  layout(std430, binding = number) readonly buffer name##_buffer { uvec4 name##_texels[]; }; \
+  uvec4 name##_texel(uint i) { return name##_texels[i]; }
+#else
+#define FACET_TEXELS(number, name)                                            \
+  layout(binding = number, rgba32ui) uniform readonly uimageBuffer name##_texels; \
+  uvec4 name##_texel(uint i) { return imageLoad(name##_texels, int(i)); }
+#endif
+FACET_TEXELS(BINDING_BVH, bvh)
+FACET_TEXELS(BINDING_PAIRS, pair)
+FACET_TEXELS(BINDING_NORMAL_INDICES, normal_indices)
+FACET_TEXELS(BINDING_NORMALS, normal)
+FACET_TEXELS(BINDING_MESHES, mesh)
+FACET_TEXELS(BINDING_BSDFS, bsdf)
+FACET_TEXELS(BINDING_EMITTERS, emitter)
+FACET_TEXELS(BINDING_EMITTER_TRIANGLES, emitter_triangles)
+FACET_TEXELS(BINDING_ENVIRONMENT_TEXELS, environment_map)
+FACET_TEXELS(BINDING_ENVIRONMENT_ROWS, environment_row)
+FACET_TEXELS(BINDING_ENVIRONMENT_COLUMNS, environment_columns)
+FACET_TEXELS(BINDING_FILTER, filter)
+FACET_TEXELS(BINDING_TEXCOORD_INDICES, texcoord_indices)
+FACET_TEXELS(BINDING_TEXCOORDS, texcoords)
+FACET_TEXELS(BINDING_TEXTURES, texture)
+FACET_TEXELS(BINDING_TEXELS, image)
+FACET_TEXELS(BINDING_ALBEDOS, albedos)
+
 // A uniform buffer: the one kind that lavapipe reads once for all lanes.
 layout(std140, binding = BINDING_FRAME) uniform FrameBuffer { FrameRecord frame; };
 layout(std430, binding = BINDING_RAYS) buffer Rays { RayRecord rays[]; };
 layout(std430, binding = BINDING_HITS) buffer Hits { HitRecord hits[]; };
 layout(std430, binding = BINDING_PATHS) buffer Paths { PathRecord paths[]; };
-layout(std430, binding = BINDING_SHADOW_RAYS) buffer ShadowRays { ShadowRayRecord shadow_rays[]; };
 layout(std430, binding = BINDING_QUEUES) buffer Queues { uint queues[]; };
 layout(std430, binding = BINDING_COUNTERS) buffer Counters { uint counters[]; };
 layout(std430, binding = BINDING_FILM) buffer Film { FilmRecord film[]; };

@@ -9,8 +9,10 @@
 float sample_filter(float u) {
   float scaled = u * float(frame.filter_intervals);
   uint i = min(uint(scaled), frame.filter_intervals - 1u);
-  vec2 a = filter_quantiles[i];  // offset, |filter| there
-  vec2 b = filter_quantiles[i + 1u];
+  // Offset and |filter| at either end.
+  vec4 ends = uintBitsToFloat(filter_texel(i));
+  vec2 a = ends.xy;
+  vec2 b = ends.zw;
   float f = scaled - float(i);
   // Share of the interval at which the linear density's cumulative distribution is f.
   float root = sqrt(max(a.y * a.y + f * (b.y * b.y - a.y * a.y), 0.0));

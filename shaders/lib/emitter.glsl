@@ -9,7 +9,7 @@
 #include "../emitter/environment.glsl"
 #include "../emitter/pointlight.glsl"
 
-#define FACET_EMITTER_COUNT(i) emitters[i].cumulative
+#define FACET_EMITTER_COUNT(i) fetch_emitter_cumulative(i)
 FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
 /// A direction from a surface towards an emitter.
@@ -52,7 +52,7 @@ FoundEmission emission_of_surface(Surface s, vec3 d, float distance) {
 
 FoundEmission emission_of_environment(vec3 d) {
   if (!HAS_EMITTER(environment)) return FoundEmission(vec3(0.0), 0.0);
-  return FoundEmission(environment_eval(d), environment_pdf(d) * emitters[frame.environment_emitter].probability);
+  return FoundEmission(environment_eval(d), environment_pdf(d) * fetch_emitter(frame.environment_emitter).probability);
 }
 
 #endif

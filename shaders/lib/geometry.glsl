@@ -1,23 +1,8 @@
-// Fetches of the BVH's items, and the two tests of traversal. The one build variant of the kernels is here: texel
-// buffers, read as images (the fast load of lavapipe, inlined, unlike texelFetch), or, where a device's are too small, storage
-// buffers.
+// The BVH's items, and the two tests of traversal.
 #ifndef FACET_GEOMETRY_GLSL
 #define FACET_GEOMETRY_GLSL
-#include "../shared/bindings.h"
-#include "../shared/records.h"
+#include "bindings.glsl"
 #include "frame.glsl"
-
-#ifdef FACET_NO_TEXEL_BUFFERS
-layout(std430, binding = BINDING_BVH) readonly buffer BvhItems { uvec4 bvh_texels[]; };
-layout(std430, binding = BINDING_PAIRS) readonly buffer Pairs { uvec4 pair_texels[]; };
-uvec4 bvh_texel(uint i) { return bvh_texels[i]; }
-uvec4 pair_texel(uint i) { return pair_texels[i]; }
-#else
-layout(binding = BINDING_BVH, rgba32ui) uniform readonly uimageBuffer bvh_texels;
-layout(binding = BINDING_PAIRS, rgba32ui) uniform readonly uimageBuffer pair_texels;
-uvec4 bvh_texel(uint i) { return imageLoad(bvh_texels, int(i)); }
-uvec4 pair_texel(uint i) { return imageLoad(pair_texels, int(i)); }
-#endif
 
 BvhNode fetch_node(uint item) { return BvhNode(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u)); }
 

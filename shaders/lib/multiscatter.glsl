@@ -3,10 +3,10 @@
 // nothing is lost; the value is no longer reciprocal.
 #ifndef FACET_MULTISCATTER_GLSL
 #define FACET_MULTISCATTER_GLSL
-#include "bindings.glsl"
 #include "microfacet.glsl"
+#include "records.glsl"
 
-float albedo_node(uint table, uint column, uint row) { return albedos[(table * ALBEDO_NODES + row) * ALBEDO_NODES + column]; }
+float albedo_node(uint table, uint column, uint row) { return fetch_albedo((table * ALBEDO_NODES + row) * ALBEDO_NODES + column); }
 
 /// Albedo with F = 1 seen under a cosine, bilinear between the tables' nodes.
 float microfacet_albedo(float cosine, Microfacets m) {

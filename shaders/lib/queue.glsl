@@ -6,9 +6,8 @@
 /// Slots in flight at most: the size of each half of the queues.
 uint queue_capacity() { return uint(queues.length()) / 2u; }
 
-/// Slot that this invocation works on, NONE beyond the queue's end.
-uint queued_slot() {
-  uint i = gl_GlobalInvocationID.x;
+/// Entry i of this bounce's queue, NONE beyond its end.
+uint queued_slot(uint i) {
   return i < counters[COUNTER_ACTIVE + pass_constants.queue] ? queues[pass_constants.queue * queue_capacity() + i] : NONE;
 }
 
@@ -17,13 +16,6 @@ void push_path(uint slot) {
   uint other = 1u - pass_constants.queue;
   uint i = atomicAdd(counters[COUNTER_ACTIVE + other], 1u);
   queues[other * queue_capacity() + i] = slot;
-}
-
-/// Puts a shadow ray into its queue.
-void push_shadow_ray(ShadowRayRecord shadow, uint slot) {
-  uint i = atomicAdd(counters[COUNTER_SHADOW], 1u);
-  shadow.slot = slot;
-  shadow_rays[i] = shadow;
 }
 
 #endif

@@ -1,70 +1,86 @@
-// Reads of whole records. As texels where texel buffers are large enough: lavapipe reads a storage buffer word by word, lane by
-// lane, which took more than half of the time of shading. Writes go to the storage buffers (as texels they were slower): the two
-// are one memory, so a kernel reads a record before it writes it, and never after.
+// Reads of whole records.
 #ifndef FACET_RECORDS_GLSL
 #define FACET_RECORDS_GLSL
 #include "bindings.glsl"
 
+// The state of paths is written as storage and read as texels, where texel buffers are large enough. (Written as texels it was
+// slower.) The two are one memory, so a kernel reads a record before it writes it, and never after.
 #ifdef FACET_NO_TEXEL_BUFFERS
 RayRecord fetch_ray(uint i) { return rays[i]; }
 HitRecord fetch_hit(uint i) { return hits[i]; }
 PathRecord fetch_path(uint i) { return paths[i]; }
-ShadowRayRecord fetch_shadow_ray(uint i) { return shadow_rays[i]; }
-MeshRecord fetch_mesh(uint i) { return meshes[i]; }
-BsdfRecord fetch_bsdf(uint i) { return bsdfs[i]; }
-EmitterRecord fetch_emitter(uint i) { return emitters[i]; }
 #else
-layout(binding = BINDING_RAY_TEXELS, rgba32ui) uniform readonly uimageBuffer ray_texels;
-layout(binding = BINDING_HIT_TEXELS, rgba32ui) uniform readonly uimageBuffer hit_texels;
-layout(binding = BINDING_PATH_TEXELS, rgba32ui) uniform readonly uimageBuffer path_texels;
-layout(binding = BINDING_SHADOW_RAY_TEXELS, rgba32ui) uniform readonly uimageBuffer shadow_ray_texels;
-layout(binding = BINDING_MESH_TEXELS, rgba32ui) uniform readonly uimageBuffer mesh_texels;
-layout(binding = BINDING_BSDF_TEXELS, rgba32ui) uniform readonly uimageBuffer bsdf_texels;
-layout(binding = BINDING_EMITTER_TEXELS, rgba32ui) uniform readonly uimageBuffer emitter_texels;
+FACET_TEXELS(BINDING_RAY_TEXELS, ray)
+FACET_TEXELS(BINDING_HIT_TEXELS, hit)
+FACET_TEXELS(BINDING_PATH_TEXELS, path)
 
-RayRecord fetch_ray(uint i) {
-  int at = int(2u * i);
-  return RayRecord(uintBitsToFloat(imageLoad(ray_texels, at)), uintBitsToFloat(imageLoad(ray_texels, at + 1)));
-}
+RayRecord fetch_ray(uint i) { return RayRecord(uintBitsToFloat(ray_texel(2u * i)), uintBitsToFloat(ray_texel(2u * i + 1u))); }
 
 HitRecord fetch_hit(uint i) {
-  uvec4 t = imageLoad(hit_texels, int(i));
+  uvec4 t = hit_texel(i);
   return HitRecord(uintBitsToFloat(t.x), t.y, uintBitsToFloat(t.z), uintBitsToFloat(t.w));
 }
 
 PathRecord fetch_path(uint i) {
-  int at = int(2u * i);
-  return PathRecord(uintBitsToFloat(imageLoad(path_texels, at)), uintBitsToFloat(imageLoad(path_texels, at + 1)));
+  return PathRecord(uintBitsToFloat(path_texel(2u * i)), uintBitsToFloat(path_texel(2u * i + 1u)));
 }
+#endif
 
-ShadowRayRecord fetch_shadow_ray(uint i) {
-  int at = int(3u * i);
-  uvec4 last = imageLoad(shadow_ray_texels, at + 2);
-  vec3 contribution = uintBitsToFloat(last.xyz);
-  return ShadowRayRecord(uintBitsToFloat(imageLoad(shadow_ray_texels, at)), uintBitsToFloat(imageLoad(shadow_ray_texels, at + 1)),
-                         contribution.r, contribution.g, contribution.b, last.w);
+/// Word i, 0 to 3, without an array of memory.
+uint word_of(uvec4 t, uint i) {
+  uint low = i == 0u ? t.x : t.y;
+  uint high = i == 2u ? t.z : t.w;
+  return i < 2u ? low : high;
 }
 
 MeshRecord fetch_mesh(uint i) {
-  uvec4 t = imageLoad(mesh_texels, int(i));
+  uvec4 t = mesh_texel(i);
   return MeshRecord(t.x, t.y, t.z, t.w);
 }
 
 BsdfRecord fetch_bsdf(uint i) {
-  int at = int(4u * i);
-  uvec4 s = imageLoad(bsdf_texels, at);
-  uvec4 t = imageLoad(bsdf_texels, at + 1);
-  return BsdfRecord(s.x, s.y, s.z, s.w, t.x, t.y, t.z, t.w, uintBitsToFloat(imageLoad(bsdf_texels, at + 2)),
-                    uintBitsToFloat(imageLoad(bsdf_texels, at + 3)));
+  uvec4 s = bsdf_texel(4u * i);
+  uvec4 t = bsdf_texel(4u * i + 1u);
+  return BsdfRecord(s.x, s.y, s.z, s.w, t.x, t.y, t.z, t.w, uintBitsToFloat(bsdf_texel(4u * i + 2u)),
+                    uintBitsToFloat(bsdf_texel(4u * i + 3u)));
 }
 
 EmitterRecord fetch_emitter(uint i) {
-  int at = int(4u * i);
-  uvec4 s = imageLoad(emitter_texels, at + 2);
-  uvec4 t = imageLoad(emitter_texels, at + 3);
-  return EmitterRecord(uintBitsToFloat(imageLoad(emitter_texels, at)), uintBitsToFloat(imageLoad(emitter_texels, at + 1)), s.x,
-                       s.y, s.z, s.w, uintBitsToFloat(t.x), t.y, t.z, t.w);
+  uvec4 s = emitter_texel(4u * i + 2u);
+  uvec4 t = emitter_texel(4u * i + 3u);
+  return EmitterRecord(uintBitsToFloat(emitter_texel(4u * i)), uintBitsToFloat(emitter_texel(4u * i + 1u)), s.x, s.y, s.z, s.w,
+                       uintBitsToFloat(t.x), t.y, t.z, t.w);
 }
-#endif
+
+/// What the emitter is chosen by (EmitterRecord::cumulative).
+uint fetch_emitter_cumulative(uint i) { return emitter_texel(4u * i + 2u).y; }
+
+EmitterTriangle fetch_emitter_triangle(uint i) {
+  uvec4 two = emitter_triangles_texel(i / 2u);
+  return i % 2u == 0u ? EmitterTriangle(two.x, two.y) : EmitterTriangle(two.z, two.w);
+}
+
+EnvironmentRow fetch_environment_row(uint i) {
+  uvec4 t = environment_row_texel(i);
+  return EnvironmentRow(t.x, uintBitsToFloat(t.y), uintBitsToFloat(t.z), t.w);
+}
+
+uint fetch_environment_column(uint i) { return word_of(environment_columns_texel(i / 4u), i % 4u); }
+
+/// A vertex' texture coordinates.
+vec2 fetch_texcoord(uint i) {
+  vec4 two = uintBitsToFloat(texcoords_texel(i / 2u));
+  return i % 2u == 0u ? two.xy : two.zw;
+}
+
+TextureRecord fetch_texture(uint i) {
+  uvec4 t = texture_texel(3u * i + 2u);
+  return TextureRecord(uintBitsToFloat(texture_texel(3u * i)), uintBitsToFloat(texture_texel(3u * i + 1u)), t.x, t.y, t.z, t.w);
+}
+
+/// A texel of an image, or what its bytes stand for.
+uint fetch_image_word(uint i) { return word_of(image_texel(i / 4u), i % 4u); }
+
+float fetch_albedo(uint i) { return uintBitsToFloat(word_of(albedos_texel(i / 4u), i % 4u)); }
 
 #endif

@@ -15,7 +15,7 @@ struct Surface {
   uint mesh;
 };
 
-vec3 fetch_normal(uint i) { return vec3(normals[3u * i], normals[3u * i + 1u], normals[3u * i + 2u]); }
+vec3 fetch_normal(uint i) { return uintBitsToFloat(normal_texel(i).xyz); }
 
 /// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in order of reading.
 Surface surface_at(uint triangle, float b1, float b2) {
@@ -38,7 +38,7 @@ Surface surface_at(uint triangle, float b1, float b2) {
   bool listed = attributes != NONE;
   uint index = listed ? name.index - attributes : 0u;
   if (SHADING_NORMALS) {
-    uvec4 n = normal_indices[index];
+    uvec4 n = normal_indices_texel(index);
     bool has = listed && n.x != NONE;
     n = has ? n : uvec4(0u);
     vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x) + b1 * fetch_normal(n.y)) + b2 * fetch_normal(n.z));
@@ -46,10 +46,10 @@ Surface surface_at(uint triangle, float b1, float b2) {
   }
   s.uv = vec2(b1, b2);
   if (TEXTURE_KINDS != 0u) {
-    uvec4 t = texcoord_indices[index];
+    uvec4 t = texcoord_indices_texel(index);
     bool has = listed && t.x != NONE;
     t = has ? t : uvec4(0u);
-    vec2 interpolated = (b0 * texcoords[t.x] + b1 * texcoords[t.y]) + b2 * texcoords[t.z];
+    vec2 interpolated = (b0 * fetch_texcoord(t.x) + b1 * fetch_texcoord(t.y)) + b2 * fetch_texcoord(t.z);
     s.uv = has ? interpolated : s.uv;
   }
   return s;

@@ -1,7 +1,7 @@
 // Textures: colours over (u, v) (docs/sampling.md, "Textures"); manuals in host/scene/texture/texture.h.
 #ifndef FACET_TEXTURE_GLSL
 #define FACET_TEXTURE_GLSL
-#include "bindings.glsl"
+#include "records.glsl"
 #include "specialization.glsl"
 
 const uint TEXTURE_CHECKER = 1u;
@@ -15,11 +15,11 @@ vec3 checker_value(TextureRecord t, vec2 uv) {
 
 /// What a byte of an image stands for.
 float texel_channel(TextureRecord t, uint texel, uint shift) {
-  return uintBitsToFloat(texels[t.decoding + ((texel >> shift) & 255u)]);
+  return uintBitsToFloat(fetch_image_word(t.decoding + ((texel >> shift) & 255u)));
 }
 
 vec3 image_texel(TextureRecord t, uint x, uint y) {
-  uint texel = texels[t.first_texel + y * t.width + x];
+  uint texel = fetch_image_word(t.first_texel + y * t.width + x);
   return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u), texel_channel(t, texel, 16u));
 }
 
@@ -46,7 +46,7 @@ vec3 image_value(TextureRecord t, vec2 uv) {
 /// Value of a texture, or of none.
 vec3 texture_value(uint index, vec3 constant, vec2 uv) {
   if (TEXTURE_KINDS == 0u) return constant;
-  TextureRecord t = textures[index == NONE ? 0u : index];
+  TextureRecord t = fetch_texture(index == NONE ? 0u : index);
   vec3 value = vec3(0.0);
   if ((TEXTURE_KINDS & TEXTURE_CHECKER) != 0u) value = checker_value(t, uv);
   if ((TEXTURE_KINDS & TEXTURE_IMAGE) != 0u && t.width != 0u) value = image_value(t, uv);

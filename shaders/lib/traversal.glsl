@@ -6,8 +6,8 @@
 #include "geometry.glsl"
 #include "pending.glsl"
 
-/// Iterations after which a traversal gives up and is counted in bound_hits.
-const uint TRAVERSAL_BOUND = 60000u;
+/// Iterations after which a traversal gives up and is counted in bound_hits: a bounce has two of them.
+const uint TRAVERSAL_BOUND = 30000u;
 
 /// Children that the ray meets, in the order in which it enters them. t: where it enters each, LARGEST for those it misses.
 /// Sorted as integers whose two lowest bits are the child: alike but for a quarter of a millionth, and half the work.

