@@ -30,8 +30,8 @@ constexpr std::uint32_t decoration_no_contraction = 42;
 /// Whether a binding is of records that kernels write as storage and read as texels.
 bool is_bound_twice(std::uint32_t binding) {
   using namespace facet::shared;
-  return (binding >= BINDING_RAYS && binding <= BINDING_PATHS) ||
-         (binding >= BINDING_RAY_TEXELS && binding <= BINDING_PATH_TEXELS);
+  return (binding >= BINDING_RAYS && binding <= BINDING_FILM_SQUARES) ||
+         (binding >= BINDING_RAY_TEXELS && binding <= BINDING_FILM_SQUARES_TEXELS);
 }
 
 /// SPIR-V opcodes of float arithmetic, all of which NoContraction may decorate.

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "core/text.h"
 #include "gpu/device.h"
+#include "gpu/kernel_cache.h"
 #include "gpu/requirements.h"
 
 namespace facet::cli {
@@ -20,6 +21,8 @@ ExitCode list_devices() {
                VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
     fmt::print("   {}\n", d.lacks.empty() ? "has everything facet needs"
                                           : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+    const std::string cache = gpu::describe_kernel_cache(d.driver);
+    if (!cache.empty()) fmt::print("   {}\n", cache);
   }
   fmt::print("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
   const gpu::DeviceInfo chosen = instance.choose("");

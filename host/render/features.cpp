@@ -71,6 +71,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_TEXTURE_KINDS] = texture_kinds;
   c[shared::SPEC_EVERY_EMITTER] = integrator.type.every_emitter ? 1 : 0;
   c[shared::SPEC_NEGATIVE_FILTER] = negative_filter ? 1 : 0;
+  c[shared::SPEC_ONLY_BOUNCE] = bounce_limit() == 1 ? 1 : 0;
   c[shared::SPEC_SAMPLER] = static_cast<std::uint32_t>(sampler);
   return c;
 }

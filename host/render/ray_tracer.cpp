@@ -52,7 +52,8 @@ std::vector<gpu::Binding> RayTracer::bindings() {
   bindings[shared::BINDING_HITS].buffer = &hits_;
   bindings[shared::BINDING_COUNTERS].buffer = &counters_;
   if (!texels) return bindings;
-  for (const gpu::Buffer* buffer : {&rays_, &hits_, &unused_}) bindings.push_back({buffer, view_of(*buffer)});
+  for (const gpu::Buffer* buffer : {&rays_, &hits_, &unused_, &unused_, &unused_})
+    bindings.push_back({buffer, view_of(*buffer)});
   return bindings;
 }
 

@@ -156,13 +156,14 @@ void Renderer::Resources::make_bounce_kernels() {
 
 void Renderer::Resources::make_film() {
   constexpr std::uint64_t record = sizeof(shared::FilmRecord);
-  const auto largest = static_cast<std::uint32_t>(device_.limits().maxStorageBufferRange / record);
+  const vk::PhysicalDeviceLimits& limits = device_.limits();
+  const auto largest = static_cast<std::uint32_t>(std::min(
+      limits.maxStorageBufferRange / record, limits.maxTexelBufferElements * sizeof(glm::uvec4) / record));
   for (std::uint32_t first = 0; first < pixel_count_;) {
     const std::uint32_t count = std::min(largest, pixel_count_ - first);
     pieces_.push_back({first, count});
-    film_.emplace_back(device_, count * record, Usage::eStorageBuffer, "the film");
-    squares_.emplace_back(device_, variance_ ? count * record : 0, Usage::eStorageBuffer,
-                          "the film's variance");
+    film_.emplace_back(device_, count * record, state_usage, "the film");
+    squares_.emplace_back(device_, variance_ ? count * record : 0, state_usage, "the film's variance");
     film_.back().clear();
     squares_.back().clear();
     first += count;
@@ -180,24 +181,23 @@ void Renderer::Resources::bind_everything() {
   bindings[shared::BINDING_PATHS].buffer = &paths_;
   bindings[shared::BINDING_QUEUES].buffer = &queues_;
   bindings[shared::BINDING_COUNTERS].buffer = &counters_;
-  bind_texels(bindings);
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
     bindings[shared::BINDING_FILM].buffer = &film_[piece];
     bindings[shared::BINDING_FILM_SQUARES].buffer = &squares_[piece];
-    sets_.emplace_back(device_, layout_, bindings);
+    sets_.emplace_back(device_, layout_, with_texels(bindings));
   }
 }
 
-void Renderer::Resources::bind_texels(std::vector<gpu::Binding>& bindings) {
-  if (geometry_.fetch() != GeometryFetch::texel_buffer) return;
-  texel_views_.reserve(bindings.size() + shared::BINDING_COUNT);
+std::vector<gpu::Binding> Renderer::Resources::with_texels(std::vector<gpu::Binding> bindings) {
+  if (geometry_.fetch() != GeometryFetch::texel_buffer) return bindings;
   const auto view_of = [&](const gpu::Buffer& buffer) {
     return &texel_views_.emplace_back(gpu::make_texel_view(device_, buffer));
   };
   for (std::size_t i = shared::BINDING_NORMAL_INDICES; i < shared::SCENE_BINDING_COUNT; ++i)
     bindings[i].view = view_of(*bindings[i].buffer);
-  for (std::size_t i = shared::BINDING_RAYS; i <= shared::BINDING_PATHS; ++i)
+  for (std::size_t i = shared::BINDING_RAYS; i <= shared::BINDING_FILM_SQUARES; ++i)
     bindings.push_back({bindings[i].buffer, view_of(*bindings[i].buffer)});
+  return bindings;
 }
 
 void Renderer::Resources::bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const {

@@ -1,6 +1,7 @@
 #pragma once
 // Everything a render keeps on the device: buffers, bindings, pipelines.
 #include <array>
+#include <deque>
 #include <optional>
 #include <span>
 #include <utility>
@@ -78,7 +79,8 @@ struct Renderer::Resources {
            const shared::PassConstants& constants) const;
   void make_film();
   void bind_everything();
-  void bind_texels(std::vector<gpu::Binding>& bindings);
+  /// The bindings with views of those that are read as texels.
+  std::vector<gpu::Binding> with_texels(std::vector<gpu::Binding> bindings);
 
   gpu::Device& device_;
   Features features_;
@@ -97,10 +99,10 @@ struct Renderer::Resources {
   gpu::Buffer paths_;
   gpu::Buffer queues_;
   gpu::Buffer counters_;
-  std::vector<gpu::Buffer> film_;                  ///< one a piece
-  std::vector<gpu::Buffer> squares_;               ///< likewise; a single dummy without variance
-  std::vector<vk::raii::BufferView> texel_views_;  ///< of what is bound as texels
-  std::vector<gpu::BindingSet> sets_;              ///< one a piece
+  std::vector<gpu::Buffer> film_;                 ///< one a piece
+  std::vector<gpu::Buffer> squares_;              ///< likewise; a single dummy without variance
+  std::deque<vk::raii::BufferView> texel_views_;  ///< of what is bound as texels
+  std::vector<gpu::BindingSet> sets_;             ///< one a piece
   std::array<std::optional<vk::raii::Pipeline>, 4> bounce_kernels_;
   vk::raii::Pipeline schedule_;
   vk::raii::Pipeline film_kernel_;

@@ -41,12 +41,11 @@ vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
   return only_way ? found.radiance : weight * found.radiance;
 }
 
-/// Shadow ray for one emitter sample at s; has_shadow is false where it could contribute nothing.
-void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, EmitterSample e) {
-  vec3 wi = to_local(shading, e.d);
-  vec3 f = bsdf_eval(bsdf, wo, wi);
-  float weight = MATERIAL_SAMPLING && !e.delta ? mis_weight(e.pdf, bsdf_pdf(bsdf, wo, wi)) : 1.0;
-  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (abs(wi.z) / e.pdf));
+/// Shadow ray for one emitter sample at s, of whose direction the BSDF has the value f and the density; has_shadow is false
+/// where it could contribute nothing.
+void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cosine, vec3 f, float bsdf_pdf) {
+  float weight = MATERIAL_SAMPLING && !e.delta ? mis_weight(e.pdf, bsdf_pdf) : 1.0;
+  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (cosine / e.pdf));
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
   vec4 direction = e.at_infinity ? vec4(e.d, LARGEST) : vec4(e.point - from, 1.0);
   step.shadow = RayRecord(vec4(from, 0.0), direction);
@@ -56,9 +55,8 @@ void sample_direct_light(inout PathStep step, Surface s, Frame shading, vec3 wo,
   step.has_shadow = e.pdf > 0.0 && !dark;
 }
 
-/// The ray that continues the path from s at interaction k, by sampling the BSDF.
-void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo, BsdfRecord bsdf, uvec4 bits, uint k) {
-  BsdfSample b = bsdf_sample(bsdf, wo, unit_float(bits[BSDF_LOBE]), vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V])));
+/// The ray that continues the path from s at interaction k along a sample of the BSDF.
+void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, float u_roulette, uint k) {
   vec3 throughput = step.path.throughput.rgb * b.weight;
   step.path.radiance.w *= b.eta2;
   float survival = 1.0;
@@ -68,7 +66,7 @@ void sample_continuation(inout PathStep step, Surface s, Frame shading, vec3 wo,
     survival = k >= ROULETTE_FIRST ? min(ROULETTE_MAX_SURVIVAL, largest) : 1.0;
   }
   if (EVERY_EMITTER) survival = ROULETTE_MAX_SURVIVAL;
-  bool survives = unit_float(bits[BSDF_ROULETTE]) < survival;
+  bool survives = u_roulette < survival;
   bool dark = throughput.x == 0.0 && throughput.y == 0.0 && throughput.z == 0.0;
   vec3 d = to_world(shading, b.wi);
   step.path.throughput = vec4(throughput / survival, b.pdf);
@@ -104,13 +102,23 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   BsdfRecord bsdf = textured_bsdf(fetch_bsdf(fetch_mesh(s.mesh).bsdf), s.uv);
   bool visible = wo.z > 0.0 || HAS_FLAG(bsdf.flags, BSDF_TRANSMITS);
   bool scatters = !missed && visible;
+  EmitterSample e;
+  vec3 wi = wo;
   if (EMITTER_SAMPLING) {
-    sample_direct_light(step, s, shading, wo, bsdf, emitter_sample(s, id, k));
+    e = emitter_sample(s, id, k);
+    wi = to_local(shading, e.d);
+  }
+  uvec4 bits = random_block(id, bounce_block(k) + BOUNCE_BSDF);
+  vec2 u = vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V]));
+  BsdfAnswers answers = bsdf_answers(bsdf, wo, wi, unit_float(bits[BSDF_LOBE]), u);
+  if (EMITTER_SAMPLING) {
+    add_direct_light(step, s, e, abs(wi.z), answers.f, answers.pdf);
     step.has_shadow = step.has_shadow && scatters;
   }
+  if (ONLY_BOUNCE) return step;
   // After the last interaction only emission is looked for, which emitter sampling alone needs at delta lobes only.
   bool delta = HAS_FLAG(bsdf.flags, BSDF_DELTA);
   step.alive = scatters && (MATERIAL_SAMPLING || delta || (k < frame.max_depth && !EVERY_EMITTER));
-  sample_continuation(step, s, shading, wo, bsdf, random_block(id, bounce_block(k) + BOUNCE_BSDF), k);
+  continue_path(step, s, shading, answers.next, unit_float(bits[BSDF_ROULETTE]), k);
   return step;
 }

@@ -26,11 +26,10 @@ bool is_first_round() { return !EVERY_EMITTER || pass_constants.emitter == 0u; }
 bool is_last_round() { return !EVERY_EMITTER || pass_constants.emitter + 1u >= frame.emitter_count; }
 
 PathRecord path_of(uint slot) {
-  PathRecord fresh = PathRecord(vec4(1.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 0.0, 1.0));
-  if (CAMERA_BOUNCE && !EVERY_EMITTER) return fresh;
-  PathRecord stored = fetch_path(slot);
-  if (CAMERA_BOUNCE && is_first_round()) return fresh;
-  return stored;
+  if (!CAMERA_BOUNCE) return fetch_path(slot);
+  PathRecord path = PathRecord(vec4(1.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 0.0, 1.0));
+  if (EVERY_EMITTER && !is_first_round()) path.radiance.rgb = fetch_radiance(slot);
+  return path;
 }
 
 RayRecord ray_of(uint slot, SampleId id) {
@@ -76,7 +75,11 @@ void main() {
     complete = complete && shadow_complete;
     atomicAdd(counters[COUNTER_ANY_RAYS], 1u);
   }
-  paths[slot] = step.path;
+  if (ONLY_BOUNCE) {
+    paths[slot].radiance = step.path.radiance;
+  } else {
+    paths[slot] = step.path;
+  }
   if (is_last_round() && step.alive) {
     rays[slot] = step.next;
     push_path(slot);

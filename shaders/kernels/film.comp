@@ -13,14 +13,14 @@ void main() {
   uint local = gl_GlobalInvocationID.x;
   if (local >= pass_constants.pixel_count) return;
   uint pixel = slot_crop_pixel(local) - pass_constants.film_first;
-  FilmRecord sums = film[pixel];
+  FilmRecord sums = fetch_film(pixel);
   FilmRecord squares = sums;
-  if (VARIANCE) squares = film_squares[pixel];
+  if (VARIANCE) squares = fetch_film_squares(pixel);
   uint bad = 0u;
   uint k = pass_constants.film_begin;
   while (k < pass_constants.film_end) {
     uint slot = local + k * pass_constants.pixel_count;
-    vec3 radiance = fetch_path(slot).radiance.rgb;
+    vec3 radiance = fetch_radiance(slot);
     bool good = is_good_sample(radiance);
     vec3 value = radiance * sample_weight(slot);
     if (good) add_sample(sums, value);

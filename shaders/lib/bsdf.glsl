@@ -41,6 +41,13 @@ float bsdf_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   return bsdf_allows(b, wo, wi) ? pdf : 0.0;
 }
 
+/// A sample as a BSDF makes it, with weight 0 where it is rejected.
+BsdfSample allowed_sample(BsdfRecord b, vec3 wo, BsdfSample s) {
+  bool valid = HAS_FLAG(b.flags, BSDF_TRANSMITS) || (wo.z > 0.0 && s.wi.z > 0.0);
+  s.weight = valid ? s.weight : vec3(0.0);
+  return s;
+}
+
 /// Direction wi with its weight f |cos| / pdf; weight 0 where the sample is rejected.
 BsdfSample bsdf_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   BsdfSample s = bsdf_sample_none();
@@ -48,9 +55,33 @@ BsdfSample bsdf_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   if (IS_BSDF(b, id)) s = name##_sample(b, wo, lobe, u);
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE
-  bool valid = HAS_FLAG(b.flags, BSDF_TRANSMITS) || (wo.z > 0.0 && s.wi.z > 0.0);
-  s.weight = valid ? s.weight : vec3(0.0);
-  return s;
+  return allowed_sample(b, wo, s);
+}
+
+/// All that an interaction asks of a BSDF.
+struct BsdfAnswers {
+  vec3 f;           // bsdf_eval
+  float pdf;        // bsdf_pdf
+  BsdfSample next;  // bsdf_sample
+};
+
+/// As the three functions, as far as the integrator wants to know; in one branch a BSDF, so that what they have in common is
+/// computed once.
+BsdfAnswers bsdf_answers(BsdfRecord b, vec3 wo, vec3 wi, float lobe, vec2 u) {
+  BsdfAnswers a = BsdfAnswers(vec3(0.0), 0.0, bsdf_sample_none());
+#define FACET_CASE(name, Type, id)                                                       \
+  if (IS_BSDF(b, id)) {                                                                  \
+    if (EMITTER_SAMPLING) a.f = name##_eval(b, wo, wi);                                  \
+    if (EMITTER_SAMPLING && MATERIAL_SAMPLING) a.pdf = name##_pdf(b, wo, wi);            \
+    if (!ONLY_BOUNCE) a.next = name##_sample(b, wo, lobe, u);                            \
+  }
+  FACET_BSDF_LIST(FACET_CASE)
+#undef FACET_CASE
+  bool allows = bsdf_allows(b, wo, wi);
+  a.f = allows ? a.f : vec3(0.0);
+  a.pdf = allows ? a.pdf : 0.0;
+  a.next = allowed_sample(b, wo, a.next);
+  return a;
 }
 
 #endif

@@ -3,16 +3,21 @@
 #define FACET_RECORDS_GLSL
 #include "bindings.glsl"
 
-// The state of paths is written as storage and read as texels, where texel buffers are large enough. (Written as texels it was
+// The state of paths and the film are written as storage and read as texels, where texel buffers are large enough. (Written as texels it was
 // slower.) The two are one memory, so a kernel reads a record before it writes it, and never after.
 #ifdef FACET_NO_TEXEL_BUFFERS
 RayRecord fetch_ray(uint i) { return rays[i]; }
 HitRecord fetch_hit(uint i) { return hits[i]; }
 PathRecord fetch_path(uint i) { return paths[i]; }
+vec3 fetch_radiance(uint i) { return paths[i].radiance.rgb; }
+FilmRecord fetch_film(uint i) { return film[i]; }
+FilmRecord fetch_film_squares(uint i) { return film_squares[i]; }
 #else
 FACET_TEXELS(BINDING_RAY_TEXELS, ray)
 FACET_TEXELS(BINDING_HIT_TEXELS, hit)
 FACET_TEXELS(BINDING_PATH_TEXELS, path)
+FACET_TEXELS(BINDING_FILM_TEXELS, film)
+FACET_TEXELS(BINDING_FILM_SQUARES_TEXELS, film_squares)
 
 RayRecord fetch_ray(uint i) { return RayRecord(uintBitsToFloat(ray_texel(2u * i)), uintBitsToFloat(ray_texel(2u * i + 1u))); }
 
@@ -24,6 +29,18 @@ HitRecord fetch_hit(uint i) {
 PathRecord fetch_path(uint i) {
   return PathRecord(uintBitsToFloat(path_texel(2u * i)), uintBitsToFloat(path_texel(2u * i + 1u)));
 }
+
+/// A path's alone.
+vec3 fetch_radiance(uint i) { return uintBitsToFloat(path_texel(2u * i + 1u).rgb); }
+
+FilmRecord film_record(uvec4 high, uvec4 low) {
+  vec3 h = uintBitsToFloat(high.rgb);
+  vec3 l = uintBitsToFloat(low.rgb);
+  return FilmRecord(h.r, h.g, h.b, high.w, l.r, l.g, l.b, low.w);
+}
+
+FilmRecord fetch_film(uint i) { return film_record(film_texel(2u * i), film_texel(2u * i + 1u)); }
+FilmRecord fetch_film_squares(uint i) { return film_record(film_squares_texel(2u * i), film_squares_texel(2u * i + 1u)); }
 #endif
 
 /// Word i, 0 to 3, without an array of memory.

@@ -40,6 +40,8 @@ layout(constant_id = SPEC_NEGATIVE_FILTER) const bool NEGATIVE_FILTER = true;
 /// The bounce is that of the camera's rays; it comes after the last interaction, so that emission alone is looked for.
 layout(constant_id = SPEC_CAMERA_BOUNCE) const bool CAMERA_BOUNCE = true;
 layout(constant_id = SPEC_LAST_BOUNCE) const bool LAST_BOUNCE = false;
+/// No bounce follows the first.
+layout(constant_id = SPEC_ONLY_BOUNCE) const bool ONLY_BOUNCE = false;
 /// Sums of squares are kept.
 layout(constant_id = SPEC_VARIANCE) const bool VARIANCE = true;
 

@@ -163,6 +163,13 @@ TEST_F(CliTest, Devices) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(CliTest, DevicesSayWhereCompiledKernelsAreKept) {
+  const std::string folder = folder_.file("cache");
+  expect_words(run({"devices"}, {"MESA_SHADER_CACHE_DIR=" + folder}).out,
+               {"compiled kernels", folder.c_str()});
+  expect_words(run({"devices"}, {"MESA_SHADER_CACHE_DISABLE=true"}).out, {"keeps no compiled kernels"});
+}
+
 TEST_F(CliTest, Info) {
   const Result result = run({"info", "scene.xml"});
   EXPECT_EQ(result.code, 0);
