@@ -7,6 +7,7 @@
 #include "bench/mesh.h"
 #include "bench/yardstick.h"
 #include "cli/backend_options.h"
+#include "cli/bench_page.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -25,6 +26,7 @@ struct BenchOptions {
   std::uint32_t samples_per_pixel = 64;
   std::string device;
   std::string json;
+  std::string html;
   bench::TraversalOptions traversal;
 };
 
@@ -79,6 +81,7 @@ class BenchJob {
       render(name, scenes[i]);
     }
     if (!options_.json.empty()) write_text(options_.json, json_report(report_) + '\n');
+    if (!options_.html.empty()) write_bench_page(options_.html, report_);
     return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
   }
 
@@ -144,6 +147,7 @@ void add_bench_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_device_option(*command, o.device);
   command->add_option("--json", o.json, "Write a report to this file, - for standard output");
+  command->add_option("--html", o.html, "Write a page with plots and tables to this file");
   command->callback([options, &action] { action = [options] { return BenchJob(*options).run(); }; });
 }
 

@@ -92,7 +92,7 @@ class Page {
 
   [[nodiscard]] std::string html() const {
     return fill_template(page_text::compare_html,
-                         {{"style", std::string(page_text::compare_css)},
+                         {{"style", std::string(page_text::page_css) + std::string(page_text::compare_css)},
                           {"script", std::string(page_text::compare_js)},
                           {"image", escape_html(o_.image)},
                           {"reference", escape_html(o_.reference)},

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace facet::cli {
@@ -37,5 +38,21 @@ struct Histogram {
 /// A figure with an inline SVG; values that the axis cannot hold (0 on a logarithmic one, infinite, NaN) are
 /// counted beneath it.
 [[nodiscard]] std::string svg_histogram(const Histogram& histogram, std::span<const double> values);
+
+/// One line of a chart.
+struct Line {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  ///< positive
+};
+
+struct LineChart {
+  std::string title;
+  std::string x_axis;
+  std::string y_axis;
+  std::vector<Line> lines;  ///< at most three, and some point
+};
+
+/// A figure with an inline SVG, both axes logarithmic.
+[[nodiscard]] std::string svg_lines(const LineChart& chart);
 
 }  // namespace facet::cli

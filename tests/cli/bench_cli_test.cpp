@@ -1,4 +1,6 @@
 // `facet bench`: what it reports, and mistakes. How fast anything is, no test says.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -59,6 +61,28 @@ TEST_F(BenchCliTest, ScenesAreRenderedAndTheirStagesAddUp) {
   EXPECT_EQ(report["traversal"].size(), 3U);
 }
 
+TEST_F(BenchCliTest, PageHoldsPlotsAndEveryFigureAndFetchesNothing) {
+  const std::string scene = std::string(FACET_SCENES) + "/cbox/cbox_conductors_mis.xml";
+  const Result result =
+      run(bench({"--mesh", "1k,3k", scene, "--html", "page.html", "--json", "report.json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::string page = folder_.read("page.html");
+  expect_words(page, {"<!DOCTYPE html>", "Million camera rays a second", "Million diffuse rays a second",
+                      "Million shadow rays a second", "Seconds to build the BVH", "Million samples a second",
+                      "generated-1k", "generated-3k", "cbox_conductors_mis", "direct_mis", "first_bounce, %",
+                      "</html>"});
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  for (const auto& row : report["traversal"]) {
+    const auto& f = row["facet"];
+    const std::string figure =
+        fmt::format("<td class=\"number\">{:.2f} ({:.2f} to {:.2f})</td>", f["median"].get<double>(),
+                    f["min"].get<double>(), f["max"].get<double>());
+    EXPECT_NE(page.find(figure), std::string::npos) << figure;
+  }
+  for (const char* outside : {"http:", "https:", "<script", "src=", "{{", "nan", "inf"})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
 TEST_F(BenchCliTest, MistakesAreNamed) {
   for (const std::string mesh : {"many", "70x", "3", "1e12"}) {
     const Result result = run(bench({"--mesh", mesh}));
@@ -68,6 +92,7 @@ TEST_F(BenchCliTest, MistakesAreNamed) {
   }
   EXPECT_EQ(run(bench({"nowhere.xml"})).code, 2);
   EXPECT_EQ(run(bench({"--mesh", "1k", "--json", "no/such/folder.json"})).code, 2);
+  EXPECT_EQ(run(bench({"--mesh", "1k", "--html", "no/such/folder.html"})).code, 2);
 }
 
 }  // namespace

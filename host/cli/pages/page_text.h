@@ -4,8 +4,10 @@
 
 namespace facet::cli::page_text {
 
+extern const std::string_view bench_html;
 extern const std::string_view compare_html;
 extern const std::string_view compare_css;
 extern const std::string_view compare_js;
+extern const std::string_view page_css;
 
 }  // namespace facet::cli::page_text
