@@ -87,6 +87,7 @@ class Collapser {
     return bvh_.items.size() - shared::BLOCK_SIZE;
   }
 
+  /// Makes the item the leaf's pair of triangles, or its only one.
   void place_leaf(const BinaryNode& leaf, std::size_t item) {
     visit_cost_ += leaf.box.half_area();
     const TrianglePair& pair = pairs_[leaf.primitive];
@@ -143,7 +144,7 @@ class Collapser {
   std::span<const TrianglePair> pairs_;
   std::span<const TriangleCorners> triangles_;
   Bvh& bvh_;
-  double visit_cost_ = 0;  ///< sum over nodes of half area, and over leaves of half area times triangles
+  double visit_cost_ = 0;  ///< sum of the half areas of nodes and leaves
 };
 
 std::vector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs,

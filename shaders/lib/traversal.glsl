@@ -42,7 +42,7 @@ HitRecord trace(RayRecord record, bool any, out bool complete) {
       ++steps;
     }
     bool at_leaf = is_leaf(place) && place != NOWHERE;
-    uint item = leaf_item(place);
+    uint item = at_leaf ? leaf_item(place) : 0u;
     PairHit pair = intersect_pair(ray, fetch_corners(item), hit.t);
     bool closer = at_leaf && pair.found;
     hit.t = closer ? pair.t : hit.t;

@@ -1,5 +1,5 @@
-// The records that host and kernels exchange. One definition each; a test compares the offsets of the
-// compiled kernels with C++'s.
+// The records that host and kernels exchange. One definition each; of those that kernels see as they are, a
+// test compares the offsets with C++'s. The scene's they read texel by texel (shaders/lib/records.glsl).
 #ifndef FACET_SHARED_RECORDS_H
 #define FACET_SHARED_RECORDS_H
 #include "types.h"
@@ -25,7 +25,7 @@ FACET_CONSTANT uint HEADER_INNER_MASK = 7u;
 
 /// An item: the bits of a node, or of the coordinates of four corners, world space. The corners' triangles,
 /// which have an edge in common, are 0, 1, 2 and 0, 2, 3; where there is one triangle only, corner 3 is
-/// corner 2 once more. They are integers since small ones kept in floats would be denormals, which a device
+/// corner 2 once more. Bits and no floats, since some, taken for floats, would be denormals, which a device
 /// may flush.
 struct BvhItem {
   uvec4 texels[3];
@@ -54,8 +54,8 @@ FACET_CONSTANT uint NAME_INDEX_MASK = 0x03ffffffu;
 struct MeshRecord {
   uint bsdf;
   uint emitter;     // NONE for a mesh that does not emit
-  uint attributes;  // less than the triangle's index in the scene by this is its index into the attributes'
-                    // indices; NONE without any
+  uint attributes;  // a triangle's index in the scene, less this, is that of its normals' and texture
+                    // coordinates' indices; NONE without any
   uint unused0;
 };
 
