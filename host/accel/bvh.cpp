@@ -53,7 +53,7 @@ class Collapser {
     set_item(bvh_.items[start], no_triangle);
     bvh_.stack_size = collapse(0, start + shared::ROOT_ITEM);
     bvh_.items.shrink_to_fit();
-    bvh_.pairs.resize(bvh_.items.size());
+    bvh_.pairs.shrink_to_fit();
     bvh_.sah_cost = visit_cost_ / std::max(1e-30, static_cast<double>(binary_.front().box.half_area()));
   }
 

@@ -33,11 +33,7 @@ WideTree::Plan WideTree::plan(std::uint32_t node) const {
 
 Children WideTree::children_of(std::uint32_t node) const {
   Children children;
-  if (binary_[node].is_leaf()) {
-    children.add(node);
-  } else {
-    divide(node, most, children);
-  }
+  divide(node, most, children);
   return children;
 }
 

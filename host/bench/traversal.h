@@ -33,7 +33,7 @@ struct TraversalRow {
 struct BuildRow {
   double seconds = 0;
   std::uint64_t bytes = 0;  ///< of nodes and triangles on the device
-  double sah = 0;           ///< node visits plus triangle tests of a random ray, expected
+  double sah = 0;           ///< visits of nodes and leaves by a random ray, expected
   std::optional<double> yardstick_seconds;
   std::optional<std::uint64_t> yardstick_bytes;
 };

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bench/yardstick.h"
 #include "cli/html.h"
@@ -19,9 +18,7 @@ namespace {
 
 std::string cell(const std::string& text) { return "<td class=\"number\">" + escape_html(text) + "</td>"; }
 
-std::string figure_cell(const bench::Figure& f, double scale = 1) {
-  return cell(fmt::format("{:.2f} ({:.2f} to {:.2f})", f.median * scale, f.min * scale, f.max * scale));
-}
+std::string figure_cell(const bench::Figure& f, double scale = 1) { return cell(figure_text(f, scale)); }
 
 /// A table of rows that are made already.
 std::string table(const std::vector<std::string>& heads, const std::string& rows) {
@@ -106,14 +103,13 @@ class Page {
       if (r->build.yardstick_seconds) other.points.emplace_back(x, *r->build.yardstick_seconds);
     }
     for (const bench::TraversalResult* r : results_) {
-      const auto x = static_cast<double>(r->triangles);
       rows += fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(r->mesh)) +
               cell(fmt::format("{}", r->triangles)) + cell(fmt::format("{:.3f}", r->build.seconds)) +
-              cell(fmt::format("{:.1f}", static_cast<double>(r->build.bytes) / x)) +
+              cell(fmt::format("{:.1f}", bytes_a_triangle(r->build.bytes, *r))) +
               cell(fmt::format("{:.2f}", r->build.sah)) +
               cell(r->build.yardstick_seconds ? fmt::format("{:.3f}", *r->build.yardstick_seconds) : "") +
               cell(r->build.yardstick_bytes
-                       ? fmt::format("{:.1f}", static_cast<double>(*r->build.yardstick_bytes) / x)
+                       ? fmt::format("{:.1f}", bytes_a_triangle(*r->build.yardstick_bytes, *r))
                        : "") +
               "</tr>\n";
     }

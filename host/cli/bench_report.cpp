@@ -14,16 +14,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string rate_text(const bench::Figure& f) {
-  return fmt::format("{:6.2f} ({:.2f} to {:.2f})", f.median, f.min, f.max);
-}
+std::string rate_text(const bench::Figure& f) { return figure_text(f, 1, 6); }
 
 ordered_json figure_json(const bench::Figure& f) {
   return {{"median", f.median}, {"min", f.min}, {"max", f.max}};
-}
-
-double per_triangle(std::uint64_t bytes, const bench::TraversalResult& r) {
-  return static_cast<double>(bytes) / static_cast<double>(r.triangles);
 }
 
 ordered_json row_json(const bench::TraversalResult& result, const bench::TraversalRow& row) {
@@ -73,13 +67,21 @@ ordered_json render_json(const bench::RenderRow& r) {
 
 }  // namespace
 
+std::string figure_text(const bench::Figure& f, double scale, int width) {
+  return fmt::format("{:{}.2f} ({:.2f} to {:.2f})", f.median * scale, width, f.min * scale, f.max * scale);
+}
+
+double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& r) {
+  return static_cast<double>(bytes) / static_cast<double>(r.triangles);
+}
+
 std::string text_of(const bench::TraversalResult& r) {
   std::string text =
       fmt::format("{}: {} triangles; BVH in {:.3f} s, {:.1f} bytes a triangle, SAH cost {:.2f}", r.mesh,
-                  r.triangles, r.build.seconds, per_triangle(r.build.bytes, r), r.build.sah);
+                  r.triangles, r.build.seconds, bytes_a_triangle(r.build.bytes, r), r.build.sah);
   if (r.build.yardstick_seconds) {
     text += fmt::format("; {}: {:.3f} s, {:.1f} bytes", bench::yardstick_name(), *r.build.yardstick_seconds,
-                        per_triangle(*r.build.yardstick_bytes, r));
+                        bytes_a_triangle(*r.build.yardstick_bytes, r));
   }
   text += '\n';
   for (const bench::TraversalRow& row : r.rows) {
@@ -95,12 +97,12 @@ std::string text_of(const bench::TraversalResult& r) {
 
 std::string text_of(const bench::RenderRow& r) {
   std::string text = fmt::format(
-      "{}: {} at {} samples a pixel: {:.2f} ({:.2f} to {:.2f}) M samples/s, {:.2f} M rays/s; {:.2f} s to "
+      "{}: {} at {} samples a pixel: {} M samples/s, {:.2f} M rays/s; {:.2f} s to "
       "start, {:.2f} s "
       "of them compiling; {}B on the device\n ",
-      r.scene, r.integrator, r.samples_per_pixel, r.samples_per_second.median * 1e-6,
-      r.samples_per_second.min * 1e-6, r.samples_per_second.max * 1e-6, r.rays_per_second * 1e-6,
-      r.startup_seconds, r.compile_seconds, with_unit_prefix(static_cast<double>(r.device_bytes)));
+      r.scene, r.integrator, r.samples_per_pixel, figure_text(r.samples_per_second, 1e-6),
+      r.rays_per_second * 1e-6, r.startup_seconds, r.compile_seconds,
+      with_unit_prefix(static_cast<double>(r.device_bytes)));
   for (std::size_t i = 0; i < r.stage_shares.size(); ++i)
     text += fmt::format(" {} {:.0f} %", stage_names[i], 100 * r.stage_shares[i]);
   return text + '\n';

@@ -16,6 +16,10 @@ struct BenchReport {
   std::vector<bench::RenderRow> renders;
 };
 
+/// Median with the least and the greatest in parentheses, the median at least so many characters wide.
+[[nodiscard]] std::string figure_text(const bench::Figure& figure, double scale = 1, int width = 0);
+[[nodiscard]] double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& result);
+
 /// Several lines each, the last one ended.
 [[nodiscard]] std::string text_of(const bench::TraversalResult& result);
 [[nodiscard]] std::string text_of(const bench::RenderRow& row);

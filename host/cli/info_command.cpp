@@ -50,11 +50,6 @@ void print_plugins(const std::string& name) {
   throw InputError(fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
 }
 
-template <typename Record>
-std::size_t bytes_of(const std::vector<Record>& records) {
-  return records.size() * sizeof(Record);
-}
-
 std::string describe(const Mesh& mesh, const Scene& scene) {
   const std::string_view bsdf = bsdf_type_names[scene.bsdfs[mesh.bsdf].index()];
   return fmt::format("{}: {} triangles, {}{}{}", mesh.name, mesh.position_indices.size(), bsdf,
@@ -86,9 +81,9 @@ ExitCode print_info(const InfoOptions& options) {
   print_warnings(diagnostics);
   const PackedScene packed = pack_scene(scene);
   const Features features = find_features(scene, RenderSettings{});
-  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.bvh.pairs) + bytes_of(packed.normal_indices) +
-                               bytes_of(packed.normals) + bytes_of(packed.texcoord_indices) +
-                               bytes_of(packed.texcoords);
+  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.bvh.pairs) +
+                               bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
+                               bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
                            bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
                            bytes_of(packed.texels);

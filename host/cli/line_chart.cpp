@@ -23,21 +23,27 @@ constexpr std::array<const char*, 3> classes{"first", "second", "third"};
 /// A logarithmic axis between two of 1, 2, 5, 10, 20, ...
 class Axis {
  public:
-  void add(double v) {
-    least_ = std::min(least_, v);
-    greatest_ = std::max(greatest_, v);
-  }
+  /// Holds values from least to greatest.
+  Axis(double least, double greatest) : ticks_(make_ticks(least, greatest)) {}
 
   /// Numbers to write at it, the first and the last being its ends.
-  [[nodiscard]] std::vector<double> ticks() const {
+  [[nodiscard]] const std::vector<double>& ticks() const { return ticks_; }
+
+  /// 0 to 1 from the first tick to the last.
+  [[nodiscard]] double position(double v) const {
+    return std::log(v / ticks_.front()) / std::log(ticks_.back() / ticks_.front());
+  }
+
+ private:
+  static std::vector<double> make_ticks(double least, double greatest) {
     std::vector<double> all;
-    const int first = static_cast<int>(std::floor(std::log10(least_)));
-    const int end = static_cast<int>(std::ceil(std::log10(greatest_))) + 1;
+    const int first = static_cast<int>(std::floor(std::log10(least)));
+    const int end = static_cast<int>(std::ceil(std::log10(greatest))) + 1;
     for (int decade = first; decade <= end; ++decade) {
       for (const double digit : {1.0, 2.0, 5.0}) all.push_back(digit * std::pow(10.0, decade));
     }
-    const auto from = std::upper_bound(all.begin(), all.end(), least_ * 1.0001) - 1;
-    auto to = std::lower_bound(all.begin(), all.end(), greatest_ * 0.9999);
+    const auto from = std::upper_bound(all.begin(), all.end(), least * 1.0001) - 1;
+    auto to = std::lower_bound(all.begin(), all.end(), greatest * 0.9999);
     if (to == from) ++to;
     std::vector<double> ticks(from, to + 1);
     // Over many decades their first numbers will do.
@@ -51,15 +57,7 @@ class Axis {
     return ticks;
   }
 
-  /// 0 to 1 from the first tick to the last.
-  [[nodiscard]] double position(double v) const {
-    const std::vector<double> t = ticks();
-    return std::log(v / t.front()) / std::log(t.back() / t.front());
-  }
-
- private:
-  double least_ = std::numeric_limits<double>::max();
-  double greatest_ = std::numeric_limits<double>::min();
+  std::vector<double> ticks_;
 };
 
 std::string number_text(double v) {
@@ -70,14 +68,10 @@ std::string number_text(double v) {
 
 class Drawing {
  public:
-  explicit Drawing(const LineChart& chart) : chart_(chart) {
-    for (const Line& line : chart_.lines) {
-      for (const auto& [px, py] : line.points) {
-        x_.add(px);
-        y_.add(py);
-      }
-    }
-  }
+  explicit Drawing(const LineChart& chart)
+      : chart_(chart),
+        x_(axis_of([](const auto& point) { return point.first; })),
+        y_(axis_of([](const auto& point) { return point.second; })) {}
 
   [[nodiscard]] std::string figure() const {
     std::string svg =
@@ -89,6 +83,19 @@ class Drawing {
   }
 
  private:
+  template <typename Coordinate>
+  [[nodiscard]] Axis axis_of(const Coordinate& coordinate) const {
+    double least = std::numeric_limits<double>::max();
+    double greatest = 0;
+    for (const Line& line : chart_.lines) {
+      for (const auto& point : line.points) {
+        least = std::min(least, coordinate(point));
+        greatest = std::max(greatest, coordinate(point));
+      }
+    }
+    return {least, greatest};
+  }
+
   [[nodiscard]] double x_of(double v) const { return left + x_.position(v) * (width - left - right); }
   [[nodiscard]] double y_of(double v) const {
     return height - bottom - y_.position(v) * (height - top - bottom);

@@ -6,11 +6,6 @@ namespace facet {
 
 namespace {
 
-template <typename Record>
-std::size_t bytes_of(const std::vector<Record>& records) {
-  return records.size() * sizeof(Record);
-}
-
 /// Texel buffers where the device has enough of them for all that is read so, and large enough ones.
 GeometryFetch choose_fetch(const gpu::Device& device, const PackedScene& packed, bool force_storage_buffers) {
   const std::size_t texels =

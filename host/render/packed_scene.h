@@ -35,6 +35,12 @@ struct PackedScene {
   }
 };
 
+/// Of an array of records.
+template <typename Record>
+std::size_t bytes_of(const std::vector<Record>& records) {
+  return records.size() * sizeof(Record);
+}
+
 [[nodiscard]] PackedScene pack_scene(const Scene& scene);
 
 }  // namespace facet

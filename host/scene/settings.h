@@ -25,7 +25,7 @@ struct RenderSettings {
   bool variance = false;  ///< keep sums of squares
 
   // Of the kernels alone; no result depends on them.
-  /// Fetch geometry from storage buffers even where texel buffers would do; for tests.
+  /// Read from storage buffers even where texel buffers would do; for tests.
   bool force_storage_buffers = false;
   /// Paths in flight, 0: chosen for the device; for tests and measurements.
   std::uint32_t paths_in_flight = 0;

@@ -27,13 +27,6 @@ vec3 corner(Corners p, uint k) {
   return k < 2u ? low : high;
 }
 
-/// v[k], without an array of memory.
-float component(vec4 v, uint k) {
-  float low = k == 0u ? v.x : v.y;
-  float high = k == 2u ? v.z : v.w;
-  return k < 2u ? low : high;
-}
-
 /// What a triangle is in the scene.
 struct TriangleName {
   uint index;    // in order of reading

@@ -15,13 +15,15 @@ const uint LIST_BITS = 7u;
 const uint LIST_MASK = 127u;
 const uint EMPTY_LIST = 1u;
 
+/// M(1) to M(32): loops over the entries written out, since an index that is not constant makes an array of memory.
+#define FACET_ENTRIES(M)                                                                     \
+  M(1) M(2) M(3) M(4) M(5) M(6) M(7) M(8) M(9) M(10) M(11) M(12) M(13) M(14) M(15) M(16)     \
+  M(17) M(18) M(19) M(20) M(21) M(22) M(23) M(24) M(25) M(26) M(27) M(28) M(29) M(30) M(31) M(32)
 #define FACET_CLEAR(i) p.entries[i] = 0u;
 Pending nothing_pending() {
   Pending p;
-  FACET_CLEAR(0) FACET_CLEAR(1) FACET_CLEAR(2) FACET_CLEAR(3) FACET_CLEAR(4) FACET_CLEAR(5) FACET_CLEAR(6) FACET_CLEAR(7)
-  FACET_CLEAR(8) FACET_CLEAR(9) FACET_CLEAR(10) FACET_CLEAR(11) FACET_CLEAR(12) FACET_CLEAR(13) FACET_CLEAR(14) FACET_CLEAR(15)
-  FACET_CLEAR(16) FACET_CLEAR(17) FACET_CLEAR(18) FACET_CLEAR(19) FACET_CLEAR(20) FACET_CLEAR(21) FACET_CLEAR(22) FACET_CLEAR(23)
-  FACET_CLEAR(24) FACET_CLEAR(25) FACET_CLEAR(26) FACET_CLEAR(27) FACET_CLEAR(28) FACET_CLEAR(29) FACET_CLEAR(30) FACET_CLEAR(31) FACET_CLEAR(32)
+  FACET_CLEAR(0)
+  FACET_ENTRIES(FACET_CLEAR)
   return p;
 }
 
@@ -36,7 +38,7 @@ struct ChildList {
   uint rest;   // list of the others
 };
 
-/// Where a traversal is: an item of the BVH, marked if it is a leaf's first triangle.
+/// Where a traversal is: an item of the BVH, marked if it is a leaf.
 const uint LEAF = 0x80000000u;
 const uint NOWHERE = 0xffffffffu;
 
@@ -47,8 +49,7 @@ uint child_place(uint header, uint child) {
   return child >= (header & HEADER_INNER_MASK) ? item | LEAF : item;
 }
 
-// Loops over the entries written out, since an index that is not constant makes an array of memory. Below the last entry
-// lies one that is always 0.
+// Below the last entry lies one that is always 0. Upwards, the last comes first.
 #define FACET_UP(i) \
   if (STACK_SIZE > uint(i)) p.entries[i] = which ? p.entries[i - 1] : p.entries[i];
 #define FACET_DOWN(i) \
@@ -65,10 +66,7 @@ void push(inout Pending p, bool which, uint entry) {
 
 /// Removes the top entry where `which`.
 void pop(inout Pending p, bool which) {
-  FACET_DOWN(1) FACET_DOWN(2) FACET_DOWN(3) FACET_DOWN(4) FACET_DOWN(5) FACET_DOWN(6) FACET_DOWN(7) FACET_DOWN(8)
-  FACET_DOWN(9) FACET_DOWN(10) FACET_DOWN(11) FACET_DOWN(12) FACET_DOWN(13) FACET_DOWN(14) FACET_DOWN(15) FACET_DOWN(16)
-  FACET_DOWN(17) FACET_DOWN(18) FACET_DOWN(19) FACET_DOWN(20) FACET_DOWN(21) FACET_DOWN(22) FACET_DOWN(23) FACET_DOWN(24)
-  FACET_DOWN(25) FACET_DOWN(26) FACET_DOWN(27) FACET_DOWN(28) FACET_DOWN(29) FACET_DOWN(30) FACET_DOWN(31) FACET_DOWN(32)
+  FACET_ENTRIES(FACET_DOWN)
 }
 
 /// The next pending child, NOWHERE without one; takes it off where `which`.

@@ -2,6 +2,7 @@
 #ifndef FACET_RECORDS_GLSL
 #define FACET_RECORDS_GLSL
 #include "bindings.glsl"
+#include "vector.glsl"
 
 // The state of paths and the film are written as storage and read as texels, where texel buffers are large enough. (Written as texels it was
 // slower.) The two are one memory, so a kernel reads a record before it writes it, and never after.
@@ -42,13 +43,6 @@ FilmRecord film_record(uvec4 high, uvec4 low) {
 FilmRecord fetch_film(uint i) { return film_record(film_texel(2u * i), film_texel(2u * i + 1u)); }
 FilmRecord fetch_film_squares(uint i) { return film_record(film_squares_texel(2u * i), film_squares_texel(2u * i + 1u)); }
 #endif
-
-/// Word i, 0 to 3, without an array of memory.
-uint word_of(uvec4 t, uint i) {
-  uint low = i == 0u ? t.x : t.y;
-  uint high = i == 2u ? t.z : t.w;
-  return i < 2u ? low : high;
-}
 
 MeshRecord fetch_mesh(uint i) {
   uvec4 t = mesh_texel(i);
