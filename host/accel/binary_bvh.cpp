@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <mutex>
 
 #include "core/parallel.h"
@@ -12,31 +11,20 @@ namespace facet {
 
 namespace {
 
-constexpr std::size_t bin_count = 16;
-/// Levels at most: what cannot be halved by count in those that are left is not split otherwise, so that no
+constexpr std::size_t most_bins = 24;
+/// Levels of inner nodes at most: what cannot be halved by count in those that are left is not split otherwise, so that no
 /// input makes a tree too deep for the kernels' stack.
 constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
 constexpr std::size_t parallel_size = 1U << 16U;
 
-struct Bin {
-  Box box;
-  std::uint32_t count = 0;
-
-  void add(const Bin& b) {
-    box.add(b.box);
-    count += b.count;
-  }
-};
-
-using Bins = std::array<std::array<Bin, bin_count>, 3>;
-
+/// Of a range of primitives.
 struct Bounds {
-  Box box;
-  Box centres;  ///< of twice the centres
+  Box4 box = empty_box4;
+  Box4 centres = empty_box4;  ///< of twice the centres
 
   void add(const BvhPrimitive& p) {
-    box.add(p.box);
+    box.add(p.box());
     centres.add(p.centre2());
   }
   void add(const Bounds& b) {
@@ -48,160 +36,215 @@ struct Bounds {
 /// Folds ranges of the primitives into one result; in parallel where there are many. The result does not
 /// depend on the order of folding, since it only takes minima, maxima and sums of integers.
 template <typename Result, typename Fold>
-Result fold(std::span<const BvhPrimitive> primitives, const Result& empty, const Fold& fold_range) {
-  Result total = empty;
+void fold(std::span<const BvhPrimitive> primitives, Result& result, const Fold& fold_range) {
+  if (primitives.size() <= parallel_size) return fold_range(result, primitives);
   std::mutex mutex;
-  const auto body = [&](std::size_t begin, std::size_t end) {
+  const Result empty = result;
+  parallel_for(primitives.size(), parallel_size / 4, [&](std::size_t begin, std::size_t end) {
     Result part = empty;
     fold_range(part, primitives.subspan(begin, end - begin));
     const std::scoped_lock lock(mutex);
-    total.add(part);
-  };
-  if (primitives.size() > parallel_size) {
-    parallel_for(primitives.size(), parallel_size / 4, body);
-  } else {
-    fold_range(total, primitives);
-  }
-  return total;
+    result.add(part);
+  });
 }
 
 /// Which bin a centre falls into along each axis.
-struct BinScale {
-  vec3 origin;
-  vec3 scale;  ///< 0 along axes without extent
-
-  explicit BinScale(const Box& centres) : origin(centres.lower), scale(0) {
-    const vec3 extent = centres.extent();
+class BinScale {
+ public:
+  BinScale(const Box4& centres, std::size_t count) : origin_(centres.lower) {
+    const Float4 extent = centres.upper - centres.lower;
     for (int a = 0; a < 3; ++a) {
-      const float s = static_cast<float>(bin_count) * 0.9999F / extent[a];
-      if (extent[a] > 0 && std::isfinite(s)) scale[a] = s;
+      const float s = static_cast<float>(count) * 0.9999F / extent[a];
+      if (extent[a] > 0 && extent[a] < infinity && s < infinity) scale_[a] = s;
     }
   }
-  [[nodiscard]] std::size_t bin(const vec3& centre2, int axis) const {
-    return std::min(bin_count - 1, static_cast<std::size_t>((centre2[axis] - origin[axis]) * scale[axis]));
+  using Places [[gnu::vector_size(16)]] = int;
+  /// The first bin along axes whose extent overflows.
+  [[nodiscard]] Places places(const BvhPrimitive& p) const {
+    return __builtin_convertvector(max((p.centre2() - origin_) * scale_, Float4{}), Places);
   }
+
+ private:
+  Float4 origin_;
+  Float4 scale_{};  ///< 0 along axes without extent
 };
 
+struct Bin {
+  Box4 box;
+  std::uint32_t count;
+
+  void add(const Bin& b) {
+    box.add(b.box);
+    count += b.count;
+  }
+  /// Half area x count; not of an empty bin.
+  [[nodiscard]] float cost() const { return box.half_area() * static_cast<float>(count); }
+};
+
+using Bins = std::array<Bin, most_bins>;
+
 struct BinSet {
-  Bins bins;
+  std::size_t count;  ///< used of each axis
+  std::array<Bins, 3> bins;
+
+  explicit BinSet(std::size_t bin_count) : count(bin_count) {
+    for (Bins& row : bins) std::fill_n(row.begin(), count, Bin{empty_box4, 0});
+  }
+
   void add(const BinSet& b) {
     for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t i = 0; i < bin_count; ++i) bins[a][i].add(b.bins[a][i]);
+      for (std::size_t i = 0; i < count; ++i) bins[a][i].add(b.bins[a][i]);
     }
   }
 };
 
 struct Split {
-  int axis = -1;                                        ///< -1: none found
-  std::size_t bin = 0;                                  ///< first bin of the right side
-  float cost = std::numeric_limits<float>::infinity();  ///< sum over both sides of half area x count
+  int axis = -1;          ///< -1: none found
+  int place = 0;          ///< first bin of the right side
+  float cost = infinity;  ///< sum over both sides of half area x count
 };
 
-Split best_split_along(const std::array<Bin, bin_count>& bins, int axis) {
-  std::array<float, bin_count> right_cost{};
-  Bin right;
-  for (std::size_t i = bin_count - 1; i > 0; --i) {
+/// The best division of an axis' bins, if it is better than `best`.
+void find_best(std::span<const Bin> bins, int axis, Split& best) {
+  std::array<float, most_bins> right_cost;
+  Bin right{empty_box4, 0};
+  for (std::size_t i = bins.size() - 1; i > 0; --i) {
     right.add(bins[i]);
-    right_cost[i] = right.box.half_area() * static_cast<float>(right.count);
-    if (right.count == 0) right_cost[i] = std::numeric_limits<float>::infinity();
+    right_cost[i] = right.count > 0 ? right.cost() : infinity;
   }
-  Split best;
-  Bin left;
-  for (std::size_t i = 1; i < bin_count; ++i) {
+  Bin left{empty_box4, 0};
+  for (std::size_t i = 1; i < bins.size(); ++i) {
     left.add(bins[i - 1]);
     if (left.count == 0) continue;
-    const float cost = left.box.half_area() * static_cast<float>(left.count) + right_cost[i];
-    if (cost < best.cost) best = {axis, i, cost};
+    const float cost = left.cost() + right_cost[i];
+    if (cost < best.cost) best = {axis, static_cast<int>(i), cost};
   }
-  return best;
 }
 
-class Builder {
- public:
-  Builder(std::span<BvhPrimitive> primitives, std::span<BinaryNode> nodes)
-      : primitives_(primitives), nodes_(nodes) {}
+/// The two parts of a range.
+struct Parts {
+  std::size_t first_count = 0;
+  std::array<Bounds, 2> bounds;
+};
 
-  /// Makes node `at` and those below it of the primitives [first, first + count).
-  void build(std::size_t at, std::size_t first, std::size_t count, int depth) {
-    if (count == 1) {
-      nodes_[at] = {primitives_[first].box, 0, primitives_[first].index};
-      return;
-    }
-    const std::size_t left_count = split(nodes_[at].box, primitives_.subspan(first, count), depth);
-    const std::size_t second = at + 2 * left_count;
-    nodes_[at].second = static_cast<std::uint32_t>(second);
-    const auto build_side = [&](std::size_t side) {
-      if (side == 0) build(at + 1, first, left_count, depth + 1);
-      if (side == 1) build(second, first + left_count, count - left_count, depth + 1);
-    };
-    if (count > parallel_size) {
-      parallel_for(2, 1, [&](std::size_t side, std::size_t /*end*/) { build_side(side); });
-    } else {
-      build_side(0);
-      build_side(1);
-    }
+}  // namespace
+
+class BinaryBuilder {
+ public:
+  explicit BinaryBuilder(BinaryBvh& bvh) : bvh_(bvh) {}
+
+  void build() {
+    Bounds bounds;
+    fold(bvh_.primitives_, bounds, [](Bounds& b, std::span<const BvhPrimitive> part) {
+      for (const BvhPrimitive& p : part) b.add(p);
+    });
+    build({0, 0, bvh_.primitives_.size(), 0}, bounds);
   }
 
  private:
-  /// Measures the box of at least two primitives and parts them; returns how many come first.
-  static std::size_t split(Box& box, std::span<BvhPrimitive> range, int depth) {
-    const Bounds bounds = fold(range, Bounds{}, [](Bounds& b, std::span<const BvhPrimitive> part) {
-      for (const BvhPrimitive& p : part) b.add(p);
-    });
-    box = bounds.box;
-    const BinScale scale(bounds.centres);
-    const bool is_free = depth + static_cast<int>(std::bit_width(range.size())) < most_levels;
-    const Split best = is_free ? find_split(range, scale) : Split{};
-    if (best.axis < 0) return split_by_count(range, bounds.centres);
-    const auto middle = std::partition(range.begin(), range.end(), [&](const BvhPrimitive& p) {
-      return scale.bin(p.centre2(), best.axis) < best.bin;
-    });
-    return static_cast<std::size_t>(middle - range.begin());
+  /// A subtree of at least one primitive: a range of them, and as many inner nodes but one.
+  struct Task {
+    std::size_t inner;  ///< the first of its inner nodes
+    std::size_t first;  ///< of its primitives
+    std::size_t count;
+    int depth;  ///< inner nodes above
+  };
+
+  /// Returns the subtree's root.
+  BinaryBvh::Node build(const Task& task, const Bounds& bounds) {
+    if (task.count == 1) return static_cast<BinaryBvh::Node>(task.first) | BinaryBvh::leaf;
+    const Parts parts = part(std::span(bvh_.primitives_).subspan(task.first, task.count), bounds, task.depth);
+    const std::size_t left = parts.first_count;
+    const std::array<Task, 2> sides{
+        {{task.inner + 1, task.first, left, task.depth + 1},
+         {task.inner + left, task.first + left, task.count - left, task.depth + 1}}};
+    std::array<BinaryBvh::Node, 2> roots{};
+    const auto build_side = [&](std::size_t side, std::size_t /*end*/) {
+      roots[side] = build(sides[side], parts.bounds[side]);
+    };
+    if (task.count > parallel_size) {
+      parallel_for(2, 1, build_side);
+    } else {
+      build_side(0, 1);
+      build_side(1, 2);
+    }
+    bvh_.inner_[task.inner] = {to_vec3(bounds.box.lower), to_vec3(bounds.box.upper), roots[0], roots[1]};
+    return static_cast<BinaryBvh::Node>(task.inner);
   }
 
-  static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale) {
-    const BinSet set = fold(range, BinSet{}, [&](BinSet& b, std::span<const BvhPrimitive> part) {
+  /// Parts at least two primitives.
+  static Parts part(std::span<BvhPrimitive> range, const Bounds& bounds, int depth) {
+    if (range.size() == 2) return measured(range, 1);
+    // All but one of them may come to lie on one side.
+    const auto halvings = static_cast<int>(std::bit_width(range.size() - 2));
+    if (depth + 1 + halvings <= most_levels) {
+      const std::size_t bins = std::min(most_bins, 4 + range.size() / 8);
+      const BinScale scale(bounds.centres, bins);
+      const Split split = find_split(range, scale, bins);
+      if (split.axis >= 0) return part_by_bins(range, scale, split);
+    }
+    return part_by_count(range, bounds.centres);
+  }
+
+  static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale, std::size_t bins) {
+    BinSet set(bins);
+    fold(range, set, [&](BinSet& b, std::span<const BvhPrimitive> part) {
       for (const BvhPrimitive& p : part) {
-        const vec3 c = p.centre2();
+        const BinScale::Places places = scale.places(p);
         for (int a = 0; a < 3; ++a) {
-          Bin& bin = b.bins[static_cast<std::size_t>(a)][scale.bin(c, a)];
-          bin.box.add(p.box);
+          Bin& bin = b.bins[static_cast<std::size_t>(a)][static_cast<std::size_t>(places[a])];
+          bin.box.add(p.box());
           ++bin.count;
         }
       }
     });
     Split best;
-    for (int a = 0; a < 3; ++a) {
-      const Split s = best_split_along(set.bins[static_cast<std::size_t>(a)], a);
-      if (s.cost < best.cost) best = s;
-    }
+    for (int a = 0; a < 3; ++a)
+      find_best(std::span(set.bins[static_cast<std::size_t>(a)]).first(bins), a, best);
     return best;
   }
 
+  /// What is left of the split comes first. No branch depends on the side, which nobody could predict.
+  static Parts part_by_bins(std::span<BvhPrimitive> range, const BinScale& scale, const Split& split) {
+    Parts parts;
+    for (std::size_t i = 0; i < range.size(); ++i) {
+      const BvhPrimitive p = range[i];
+      const std::size_t side = scale.places(p)[split.axis] < split.place ? 0 : 1;
+      parts.bounds[side].add(p);
+      range[i] = range[parts.first_count];
+      range[parts.first_count] = p;
+      parts.first_count += 1 - side;
+    }
+    return parts;
+  }
+
   /// Halves by count along the widest axis of the centres; ties by index keep it deterministic.
-  static std::size_t split_by_count(std::span<BvhPrimitive> range, const Box& centres) {
-    const vec3 extent = centres.extent();
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+  static Parts part_by_count(std::span<BvhPrimitive> range, const Box4& centres) {
+    const Float4 extent = centres.upper - centres.lower;
+    const int axis = extent[0] >= extent[1] && extent[0] >= extent[2] ? 0 : (extent[1] >= extent[2] ? 1 : 2);
     const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
     std::nth_element(range.begin(), middle, range.end(),
                      [axis](const BvhPrimitive& a, const BvhPrimitive& b) {
                        const float ca = a.centre2()[axis];
                        const float cb = b.centre2()[axis];
-                       return ca != cb ? ca < cb : a.index < b.index;
+                       return ca != cb ? ca < cb : a.index() < b.index();
                      });
-    return range.size() / 2;
+    return measured(range, range.size() / 2);
   }
 
-  std::span<BvhPrimitive> primitives_;
-  std::span<BinaryNode> nodes_;
+  static Parts measured(std::span<const BvhPrimitive> range, std::size_t first_count) {
+    Parts parts;
+    parts.first_count = first_count;
+    for (std::size_t i = 0; i < range.size(); ++i) parts.bounds[i < first_count ? 0 : 1].add(range[i]);
+    return parts;
+  }
+
+  BinaryBvh& bvh_;
 };
 
-}  // namespace
-
-std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives) {
-  std::vector<BinaryNode> nodes(2 * primitives.size() - 1);
-  Builder(primitives, nodes).build(0, 0, primitives.size(), 0);
-  return nodes;
+BinaryBvh::BinaryBvh(UnfilledVector<BvhPrimitive> primitives)
+    : primitives_(std::move(primitives)), inner_(primitives_.size() - 1) {
+  BinaryBuilder(*this).build();
 }
 
 }  // namespace facet

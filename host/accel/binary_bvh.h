@@ -1,34 +1,73 @@
 #pragma once
 // The binary hierarchy from which the four-wide one is collapsed.
+#include <bit>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "core/maths.h"
+#include "core/float4.h"
+#include "core/unfilled_vector.h"
 
 namespace facet {
 
-/// What the builder sorts: the box of one or two triangles, and an index.
-struct BvhPrimitive {
-  Box box;
-  std::uint32_t index = 0;
+/// What the builder sorts: the box of one or two triangles, and an index, which lies in the box's idle lane.
+class BvhPrimitive {
+ public:
+  BvhPrimitive() = default;
+  BvhPrimitive(const Box& box, std::uint32_t index) : box_{to_float4(box.lower), to_float4(box.upper)} {
+    box_.lower[3] = std::bit_cast<float>(index + bias);
+  }
 
+  [[nodiscard]] const Box4& box() const { return box_; }
+  [[nodiscard]] std::uint32_t index() const { return std::bit_cast<std::uint32_t>(box_.lower[3]) - bias; }
   /// Twice the box's centre, which sorts alike.
-  [[nodiscard]] vec3 centre2() const { return box.lower + box.upper; }
+  [[nodiscard]] Float4 centre2() const { return box_.lower + box_.upper; }
+
+ private:
+  /// Makes an index a normal float: arithmetic with denormal ones, which nobody wants here, is slow.
+  static constexpr std::uint32_t bias = 1U << 28U;
+
+  Box4 box_;
 };
 
-/// A node's first child is the next node; a subtree of n primitives takes 2n - 1 nodes.
-struct BinaryNode {
-  Box box;
-  std::uint32_t second = 0;     ///< index of the second child; 0 in a leaf
-  std::uint32_t primitive = 0;  ///< leaf: BvhPrimitive::index
+/// A hierarchy over primitives, one in each leaf.
+class BinaryBvh {
+ public:
+  /// Names a node.
+  using Node = std::uint32_t;
 
-  [[nodiscard]] bool is_leaf() const { return second == 0; }
+  /// Of at least one primitive. Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based
+  /// Bounding Volume Hierarchies", RT 2007. Deterministic, whatever the number of threads.
+  explicit BinaryBvh(UnfilledVector<BvhPrimitive> primitives);
+
+  [[nodiscard]] Node root() const { return inner_.empty() ? leaf : 0; }
+  [[nodiscard]] static bool is_leaf(Node node) { return (node & leaf) != 0; }
+  /// A leaf's primitive, as its index() tells.
+  [[nodiscard]] std::uint32_t primitive(Node node) const { return primitives_[node & ~leaf].index(); }
+  [[nodiscard]] Box box(Node node) const {
+    if (is_leaf(node)) return primitives_[node & ~leaf].box().box();
+    return {inner_[node].lower, inner_[node].upper};
+  }
+
+  /// Number of nodes that are no leaves: their names are 0 to that, an inner node's before those below it,
+  /// which follow it.
+  [[nodiscard]] std::size_t inner_count() const { return inner_.size(); }
+  /// Of an inner node.
+  [[nodiscard]] Node first(Node node) const { return inner_[node].first; }
+  [[nodiscard]] Node second(Node node) const { return inner_[node].second; }
+
+ private:
+  friend class BinaryBuilder;
+  static constexpr Node leaf = 0x80000000U;
+
+  struct Inner {
+    vec3 lower;
+    vec3 upper;
+    Node first;
+    Node second;
+  };
+
+  UnfilledVector<BvhPrimitive> primitives_;  ///< in the order of leaves
+  UnfilledVector<Inner> inner_;
 };
-
-/// The nodes, the root first; every leaf holds one primitive. Sorts the primitives, of which there is at
-/// least one. Binned surface area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume
-/// Hierarchies", RT 2007.
-[[nodiscard]] std::vector<BinaryNode> build_binary_bvh(std::span<BvhPrimitive> primitives);
 
 }  // namespace facet

@@ -22,6 +22,13 @@ std::uint32_t step_exponent(float extent) {
   return static_cast<std::uint32_t>(std::clamp(e + 127, 1, 254));
 }
 
+/// Whole steps that are no more, and no fewer, than so many; 0 to 255.
+std::uint32_t steps_below(double steps) { return static_cast<std::uint32_t>(std::clamp(steps, 0.0, 255.0)); }
+std::uint32_t steps_above(double steps) {
+  const std::uint32_t below = steps_below(steps);
+  return below < 255 && static_cast<double>(below) < steps ? below + 1 : below;
+}
+
 template <typename Record>
 void set_item(shared::BvhItem& item, const Record& record) {
   item = std::bit_cast<shared::BvhItem>(record);
@@ -40,57 +47,90 @@ std::uint32_t name_bits(const std::array<int, 4>& vertices) {
 /// What item 0 holds.
 constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 1, 0)};
 
-/// Collapses the binary hierarchy into nodes of four children with quantised boxes.
+/// Subtrees of fewer wide nodes are one task.
+constexpr std::uint32_t parallel_size = 1U << 13U;
+
+/// Of wide nodes.
+struct Subtree {
+  std::uint32_t levels = 0;
+  double visit_cost = 0;  ///< sum of the half areas of nodes and leaves
+};
+
+/// Collapses the binary hierarchy into nodes of four children with quantised boxes. A subtree's blocks follow
+/// one another, and how many they are is known, so that its parts are made side by side.
 class Collapser {
  public:
-  Collapser(const std::vector<BinaryNode>& binary, std::span<const TrianglePair> pairs,
+  Collapser(const BinaryBvh& binary, std::span<const TrianglePair> pairs,
             std::span<const TriangleCorners> triangles, Bvh& bvh)
       : binary_(binary), wide_(binary), pairs_(pairs), triangles_(triangles), bvh_(bvh) {}
 
+  /// The root is a node even if it has one leaf alone.
+  [[nodiscard]] std::size_t node_count() const { return std::max(1U, wide_.node_count(binary_.root())); }
+
   void collapse() {
+    bvh_.bounds = binary_.box(binary_.root());
+    bvh_.node_count = node_count();
+    bvh_.items.resize((bvh_.node_count + 1) * shared::BLOCK_SIZE);
+    bvh_.pairs.resize(bvh_.items.size());
     bvh_.places.resize(triangles_.size());
-    const std::size_t start = add_block();
-    set_item(bvh_.items[start], no_triangle);
-    bvh_.stack_size = collapse(0, start + shared::ROOT_ITEM);
-    bvh_.items.shrink_to_fit();
-    bvh_.pairs.shrink_to_fit();
-    bvh_.sah_cost = visit_cost_ / std::max(1e-30, static_cast<double>(binary_.front().box.half_area()));
+    clear_block(0);
+    set_item(bvh_.items.front(), no_triangle);
+    const Subtree whole = collapse(binary_.root(), shared::ROOT_ITEM, 1);
+    bvh_.stack_size = whole.levels;
+    bvh_.sah_cost = whole.visit_cost / std::max(1e-30, static_cast<double>(bvh_.bounds.half_area()));
   }
 
  private:
-  /// Makes the item a node for binary node `root`, and appends its descendants; returns the number of levels.
-  std::uint32_t collapse(std::uint32_t root, std::size_t item) {
+  /// Makes the item a node for binary node `root`, and its descendants in the blocks from `block` on.
+  Subtree collapse(BinaryBvh::Node root, std::size_t item, std::uint32_t block) {
+    const Box box = binary_.box(root);
     Children children = wide_.children_of(root);
-    const auto is_inner = [&](std::uint32_t child) { return !binary_[child].is_leaf(); };
+    const auto is_inner = [](BinaryBvh::Node child) { return !BinaryBvh::is_leaf(child); };
     const auto leaves =
         std::stable_partition(children.nodes.begin(), children.nodes.begin() + children.count, is_inner);
     const auto inner_count = static_cast<std::uint32_t>(leaves - children.nodes.begin());
-    const std::size_t first = add_block();
-    shared::BvhNode node = quantise(binary_[root].box, children);
-    node.lower_header.w =
-        static_cast<std::uint32_t>(first / shared::BLOCK_SIZE) << shared::HEADER_INNER_BITS | inner_count;
+    shared::BvhNode node = quantise(box, children);
+    node.lower_header.w = block << shared::HEADER_INNER_BITS | inner_count;
     set_item(bvh_.items[item], node);
-    ++bvh_.node_count;
-    visit_cost_ += binary_[root].box.half_area();
-    std::uint32_t deepest = 0;
-    for (std::uint32_t c = 0; c < inner_count; ++c)
-      deepest = std::max(deepest, collapse(children.nodes[c], first + c));
-    for (std::uint32_t c = inner_count; c < children.count; ++c)
-      place_leaf(binary_[children.nodes[c]], first + c);
-    return 1 + deepest;
+    clear_block(block);
+    const std::size_t first = std::size_t{block} * shared::BLOCK_SIZE;
+    std::array<std::uint32_t, shared::BLOCK_SIZE> blocks{};
+    std::uint32_t next_block = block + 1;
+    for (std::uint32_t c = 0; c < inner_count; ++c) {
+      blocks[c] = next_block;
+      next_block += wide_.node_count(children.nodes[c]);
+    }
+    std::array<Subtree, shared::BLOCK_SIZE> below{};
+    const auto collapse_child = [&](std::size_t c) {
+      below[c] = collapse(children.nodes[c], first + c, blocks[c]);
+    };
+    if (next_block - block > parallel_size) {
+      parallel_for(inner_count, 1, [&](std::size_t c, std::size_t /*end*/) { collapse_child(c); });
+    } else {
+      for (std::uint32_t c = 0; c < inner_count; ++c) collapse_child(c);
+    }
+    Subtree result{0, box.half_area()};
+    for (const Subtree& s : below) {
+      result.levels = std::max(result.levels, s.levels);
+      result.visit_cost += s.visit_cost;
+    }
+    ++result.levels;
+    for (std::uint32_t c = inner_count; c < children.count; ++c) {
+      place_leaf(binary_.primitive(children.nodes[c]), first + c);
+      result.visit_cost += binary_.box(children.nodes[c]).half_area();
+    }
+    return result;
   }
 
-  /// Returns the first of its items.
-  std::size_t add_block() {
-    bvh_.items.resize(bvh_.items.size() + shared::BLOCK_SIZE);
-    bvh_.pairs.resize(bvh_.items.size());
-    return bvh_.items.size() - shared::BLOCK_SIZE;
+  void clear_block(std::size_t block) {
+    const auto first = static_cast<std::ptrdiff_t>(block * shared::BLOCK_SIZE);
+    std::fill_n(bvh_.items.begin() + first, shared::BLOCK_SIZE, shared::BvhItem{});
+    std::fill_n(bvh_.pairs.begin() + first, shared::BLOCK_SIZE, shared::PairRecord{});
   }
 
-  /// Makes the item the leaf's pair of triangles, or its only one.
-  void place_leaf(const BinaryNode& leaf, std::size_t item) {
-    visit_cost_ += leaf.box.half_area();
-    const TrianglePair& pair = pairs_[leaf.primitive];
+  /// Makes the item a leaf: a pair of triangles, or one alone.
+  void place_leaf(std::uint32_t pair_index, std::size_t item) {
+    const TrianglePair& pair = pairs_[pair_index];
     const TriangleCorners& p = triangles_[pair.first];
     const std::array<int, 3> turned{pair.turn, (pair.turn + 1) % 3, (pair.turn + 2) % 3};
     std::array<vec3, 4> corners{};
@@ -115,9 +155,12 @@ class Collapser {
 
   [[nodiscard]] shared::BvhNode quantise(const Box& box, const Children& children) const {
     shared::BvhNode node{};
+    std::array<Box, shared::BLOCK_SIZE> boxes;
+    for (std::uint32_t c = 0; c < children.count; ++c) boxes[c] = binary_.box(children.nodes[c]);
     for (int a = 0; a < 3; ++a) {
       const std::uint32_t exponent = step_exponent(box.extent()[a]);
-      const double step = std::ldexp(1.0, static_cast<int>(exponent) - 127);
+      const double inverse_step = std::ldexp(1.0, 127 - static_cast<int>(exponent));
+      const double origin = box.lower[a];
       node.origin_exponents[a] = std::bit_cast<std::uint32_t>(box.lower[a]);
       node.origin_exponents.w |= exponent << (8U * static_cast<unsigned>(a));
       for (std::uint32_t c = 0; c < shared::BLOCK_SIZE; ++c) {
@@ -125,12 +168,9 @@ class Collapser {
         std::uint32_t lo = 255;
         std::uint32_t hi = 0;
         if (c < children.count) {
-          const Box& child = binary_[children.nodes[c]].box;
-          const double origin = box.lower[a];
-          lo = static_cast<std::uint32_t>(
-              std::clamp(std::floor((child.lower[a] - origin) / step), 0.0, 255.0));
-          hi =
-              static_cast<std::uint32_t>(std::clamp(std::ceil((child.upper[a] - origin) / step), 0.0, 255.0));
+          const Box& child = boxes[c];
+          lo = steps_below((child.lower[a] - origin) * inverse_step);
+          hi = steps_above((child.upper[a] - origin) * inverse_step);
         }
         node.lower_header[a] |= lo << (8 * c);
         node.upper[a] |= hi << (8 * c);
@@ -139,22 +179,21 @@ class Collapser {
     return node;
   }
 
-  const std::vector<BinaryNode>& binary_;
+  const BinaryBvh& binary_;
   WideTree wide_;
   std::span<const TrianglePair> pairs_;
   std::span<const TriangleCorners> triangles_;
   Bvh& bvh_;
-  double visit_cost_ = 0;  ///< sum of the half areas of nodes and leaves
 };
 
-std::vector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs,
-                                          std::span<const TriangleCorners> triangles) {
-  std::vector<BvhPrimitive> primitives(pairs.size());
+UnfilledVector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs,
+                                             std::span<const TriangleCorners> triangles) {
+  UnfilledVector<BvhPrimitive> primitives(pairs.size());
   parallel_for(pairs.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Box box = bounds_of(triangles[pairs[i].first]);
       if (pairs[i].second != none) box.add(bounds_of(triangles[pairs[i].second]));
-      primitives[i] = {box, static_cast<std::uint32_t>(i)};
+      primitives[i] = BvhPrimitive(box, static_cast<std::uint32_t>(i));
     }
   });
   return primitives;
@@ -173,6 +212,14 @@ TriangleCorners Bvh::triangle(std::uint32_t place) const {
   return {c[vertices & 3U], c[vertices >> 2U & 3U], c[vertices >> 4U]};
 }
 
+/// Refuses a hierarchy of at least so many nodes if they are too many.
+void check_node_count(std::size_t nodes, std::size_t triangles) {
+  if (nodes <= shared::LARGEST_BLOCK_COUNT - 1) return;
+  throw InputError(fmt::format(
+      "the scene has {} triangles, too many: their BVH has at least {} nodes, and at most {} are supported",
+      triangles, nodes, shared::LARGEST_BLOCK_COUNT - 1));
+}
+
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   if (triangles.size() > shared::NAME_INDEX_MASK) {
     throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(),
@@ -184,8 +231,8 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
     shared::BvhNode root{};
     root.origin_exponents.w = 0x010101;
     root.lower_header = {0xffffffffU, 0xffffffffU, 0xffffffffU, 0};
-    bvh.items.resize(shared::BLOCK_SIZE);
-    bvh.pairs.resize(shared::BLOCK_SIZE);
+    bvh.items.resize(shared::BLOCK_SIZE, shared::BvhItem{});
+    bvh.pairs.resize(shared::BLOCK_SIZE, shared::PairRecord{});
     set_item(bvh.items.front(), no_triangle);
     set_item(bvh.items[shared::ROOT_ITEM], root);
     bvh.node_count = 1;
@@ -193,14 +240,12 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
     return bvh;
   }
   const std::vector<TrianglePair> pairs = pair_triangles(triangles);
-  std::vector<BvhPrimitive> primitives = make_primitives(pairs, triangles);
-  const std::vector<BinaryNode> binary = build_binary_bvh(primitives);
-  bvh.bounds = binary.front().box;
-  Collapser(binary, pairs, triangles, bvh).collapse();
-  if (bvh.items.size() > std::size_t{shared::LARGEST_BLOCK_COUNT} * shared::BLOCK_SIZE) {
-    throw InputError(fmt::format("the BVH of {} triangles has {} nodes; at most {} are supported",
-                                 triangles.size(), bvh.node_count, shared::LARGEST_BLOCK_COUNT));
-  }
+  // Every node but the root takes the place of one child, and makes room for at most so many.
+  check_node_count((pairs.size() + shared::BLOCK_SIZE - 3) / (shared::BLOCK_SIZE - 1), triangles.size());
+  const BinaryBvh binary(make_primitives(pairs, triangles));
+  Collapser collapser(binary, pairs, triangles, bvh);
+  check_node_count(collapser.node_count(), triangles.size());
+  collapser.collapse();
   return bvh;
 }
 

@@ -9,14 +9,15 @@
 
 #include "accel/triangle_pairs.h"
 #include "core/maths.h"
+#include "core/unfilled_vector.h"
 #include "shared/records.h"
 
 namespace facet {
 
 struct Bvh {
-  std::vector<shared::BvhItem> items;
-  std::vector<shared::PairRecord> pairs;  ///< of each item; names hold the input's indices, meshes are 0
-  std::vector<std::uint32_t> places;      ///< of each triangle of the input: 2 * item + half
+  UnfilledVector<shared::BvhItem> items;
+  UnfilledVector<shared::PairRecord> pairs;  ///< of each item; names hold the input's indices, meshes are 0
+  UnfilledVector<std::uint32_t> places;      ///< of each triangle of the input: 2 * item + half
   std::size_t node_count = 0;
   std::uint32_t stack_size = 0;  ///< levels of nodes: entries that a traversal needs at most
   Box bounds;

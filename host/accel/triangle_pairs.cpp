@@ -32,12 +32,12 @@ class Joiner {
   std::vector<TrianglePair> join() {
     join_successive();
     join_by_edges();
-    std::vector<TrianglePair> result;
-    result.reserve(triangles_.size());
+    std::size_t count = 0;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      if (pairs_[i].second != none || taken_[i] == 0) result.push_back(pairs_[i]);
+      if (pairs_[i].second != none || taken_[i] == 0) pairs_[count++] = pairs_[i];
     }
-    return result;
+    pairs_.resize(count);
+    return std::move(pairs_);
   }
 
  private:

@@ -2,7 +2,6 @@
 // Which nodes of a binary hierarchy become the nodes of one of four children a node.
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "accel/binary_bvh.h"
@@ -12,10 +11,10 @@ namespace facet {
 
 /// Up to four binary nodes.
 struct Children {
-  std::array<std::uint32_t, shared::BLOCK_SIZE> nodes{};
+  std::array<BinaryBvh::Node, shared::BLOCK_SIZE> nodes{};
   std::uint32_t count = 0;
 
-  void add(std::uint32_t node) { nodes[count++] = node; }
+  void add(BinaryBvh::Node node) { nodes[count++] = node; }
 };
 
 /// Chooses them such that the sum of the half areas of the wide nodes, to which the number of those that a
@@ -23,26 +22,40 @@ struct Children {
 /// Collapsing on Bounding Volume Hierarchies for Ray-Tracing", Eurographics 2010).
 class WideTree {
  public:
-  explicit WideTree(std::span<const BinaryNode> binary);
+  explicit WideTree(const BinaryBvh& binary);
 
   /// Of the wide node that has this binary node's box; of a leaf, the leaf itself.
-  [[nodiscard]] Children children_of(std::uint32_t node) const;
+  [[nodiscard]] Children children_of(BinaryBvh::Node node) const;
+  /// Wide nodes in a binary node's subtree; 0 of a leaf.
+  [[nodiscard]] std::uint32_t node_count(BinaryBvh::Node node) const {
+    return BinaryBvh::is_leaf(node) ? 0 : plans_[node].node_count;
+  }
 
  private:
   static constexpr std::size_t most = shared::BLOCK_SIZE;
 
+  /// Of the wide nodes in a subtree.
+  struct Cost {
+    float area = 0;  ///< sum of their half areas
+    std::uint32_t nodes = 0;
+  };
   /// A subtree as at most n children of one wide node, n being the index plus one.
+  using Costs = std::array<Cost, most - 1>;
+
   struct Plan {
-    std::array<float, most - 1> cost{};  ///< sum of half areas of wide nodes in the subtree
-    std::array<std::uint8_t, most>
-        of_first{};  ///< how many of the n the first half gets; 0: as with one fewer; of 4: its own
+    /// How many of at most n children, n being the index plus one, the first half gets; 0: as with one
+    /// fewer. Of four, of the node's own.
+    std::array<std::uint8_t, most> of_first{};
+    std::uint32_t node_count = 0;
   };
 
-  [[nodiscard]] Plan plan(std::uint32_t node) const;
-  void divide(std::uint32_t node, std::size_t n, Children& children) const;
+  /// Plans the node and all below it, of which `end` is the next inner node after them.
+  Costs plan(BinaryBvh::Node node, BinaryBvh::Node end);
+  [[nodiscard]] Costs plan_node(BinaryBvh::Node node, const Costs& first, const Costs& second);
+  void divide(BinaryBvh::Node node, std::size_t n, Children& children) const;
 
-  std::span<const BinaryNode> binary_;
-  std::vector<Plan> plans_;
+  const BinaryBvh& binary_;
+  std::vector<Plan> plans_;  ///< of the inner nodes
 };
 
 }  // namespace facet

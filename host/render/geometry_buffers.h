@@ -25,11 +25,11 @@ inline vk::BufferUsageFlagBits scene_usage(GeometryFetch fetch) {
 
 /// A buffer with these records, in whole texels; throws InputError where it is larger than the device can
 /// bind.
-template <typename Record>
-gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& records,
-                               const std::string& what, vk::BufferUsageFlags usage) {
+template <typename Records>
+gpu::Buffer make_record_buffer(gpu::Device& device, const Records& records, const std::string& what,
+                               vk::BufferUsageFlags usage) {
   constexpr std::uint64_t texel = sizeof(glm::uvec4);
-  const std::uint64_t bytes = (records.size() * sizeof(Record) + texel - 1) / texel * texel;
+  const std::uint64_t bytes = (bytes_of(records) + texel - 1) / texel * texel;
   if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes > device.limits().maxStorageBufferRange) {
     throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
                                  device.info().name, device.limits().maxStorageBufferRange));
@@ -38,7 +38,7 @@ gpu::Buffer make_record_buffer(gpu::Device& device, const std::vector<Record>& r
   if (records.empty()) {
     buffer.clear();
   } else {
-    buffer.upload(records);
+    buffer.upload(std::as_bytes(std::span(records)));
   }
   return buffer;
 }

@@ -36,9 +36,9 @@ struct PackedScene {
 };
 
 /// Of an array of records.
-template <typename Record>
-std::size_t bytes_of(const std::vector<Record>& records) {
-  return records.size() * sizeof(Record);
+template <typename Records>
+std::size_t bytes_of(const Records& records) {
+  return records.size() * sizeof(typename Records::value_type);
 }
 
 [[nodiscard]] PackedScene pack_scene(const Scene& scene);

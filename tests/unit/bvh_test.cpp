@@ -105,35 +105,44 @@ TEST(TrianglePairs, long_triangles_that_fill_a_large_box_together_stay_apart) {
 }
 
 TEST(Bvh, gives_back_every_triangle_at_its_place_in_the_order_of_its_vertices) {
-  for (Triangles triangles : {make_field(20), make_soup(300), make_book(50)}) {
+  // The last is large enough to be built on all cores.
+  for (Triangles triangles : {make_field(20), make_soup(300), make_book(50), make_field(300)}) {
     std::mt19937 engine(5);
     for (TriangleCorners& triangle : triangles) std::ranges::shuffle(triangle, engine);
     const Bvh bvh = build_bvh(triangles);
     ASSERT_EQ(bvh.places.size(), triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
-    std::vector<std::uint32_t> places = bvh.places;
+    std::vector<std::uint32_t> places(bvh.places.begin(), bvh.places.end());
     std::ranges::sort(places);
     EXPECT_EQ(std::ranges::adjacent_find(places), places.end());
   }
 }
 
-std::vector<BinaryNode> random_tree(std::uint32_t seed, std::uint32_t leaves) {
+TEST(Bvh, of_coordinates_whose_sums_overflow_holds_every_triangle) {
+  Triangles triangles = make_soup(300);
+  for (TriangleCorners& triangle : triangles) {
+    for (vec3& corner : triangle) corner *= 3e38F;
+  }
+  const Bvh bvh = build_bvh(triangles);
+  for (std::size_t i = 0; i < triangles.size(); ++i) EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
+}
+
+BinaryBvh random_tree(std::uint32_t seed, std::uint32_t leaves) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  std::vector<BvhPrimitive> primitives(leaves);
+  UnfilledVector<BvhPrimitive> primitives;
   for (std::uint32_t i = 0; i < leaves; ++i) {
     const vec3 centre(uniform(engine), uniform(engine), uniform(engine));
-    primitives[i].box.add(centre - 0.3F);
-    primitives[i].box.add(centre + vec3(0.3F, 0.2F, 0.05F) * (1 + uniform(engine)));
-    primitives[i].index = i;
+    const vec3 reach = vec3(0.3F, 0.2F, 0.05F) * (1 + uniform(engine));
+    primitives.emplace_back(Box{centre - 0.3F, centre + reach}, i);
   }
-  return build_binary_bvh(primitives);
+  return BinaryBvh(std::move(primitives));
 }
 
 /// Half areas of the wide nodes over a binary one.
-double area_of(const std::vector<BinaryNode>& binary, const WideTree& wide, std::uint32_t node) {
-  if (binary[node].is_leaf()) return 0;
-  double area = binary[node].box.half_area();
+double area_of(const BinaryBvh& binary, const WideTree& wide, BinaryBvh::Node node) {
+  if (BinaryBvh::is_leaf(node)) return 0;
+  double area = binary.box(node).half_area();
   const Children children = wide.children_of(node);
   for (std::uint32_t c = 0; c < children.count; ++c) area += area_of(binary, wide, children.nodes[c]);
   return area;
@@ -142,61 +151,59 @@ double area_of(const std::vector<BinaryNode>& binary, const WideTree& wide, std:
 /// The smallest that they can be, found by trying every way to open a node's children.
 class EveryWay {
  public:
-  explicit EveryWay(const std::vector<BinaryNode>& binary) : binary_(binary) {}
+  explicit EveryWay(const BinaryBvh& binary) : binary_(binary) {}
 
-  double least_area(std::uint32_t node) {
-    if (binary_[node].is_leaf()) return 0;
+  double least_area(BinaryBvh::Node node) {
+    if (BinaryBvh::is_leaf(node)) return 0;
     if (const auto known = known_.find(node); known != known_.end()) return known->second;
-    return known_[node] = binary_[node].box.half_area() + least_of({node + 1, binary_[node].second});
+    return known_[node] =
+               binary_.box(node).half_area() + least_of({binary_.first(node), binary_.second(node)});
   }
 
  private:
-  double least_of(const std::vector<std::uint32_t>& children) {
+  double least_of(const std::vector<BinaryBvh::Node>& children) {
     double least = 0;
-    for (const std::uint32_t c : children) least += least_area(c);
+    for (const BinaryBvh::Node c : children) least += least_area(c);
     if (children.size() == 4) return least;
     for (std::size_t k = 0; k < children.size(); ++k) {
-      if (binary_[children[k]].is_leaf()) continue;
-      std::vector<std::uint32_t> opened = children;
-      opened[k] = children[k] + 1;
-      opened.push_back(binary_[children[k]].second);
+      if (BinaryBvh::is_leaf(children[k])) continue;
+      std::vector<BinaryBvh::Node> opened = children;
+      opened[k] = binary_.first(children[k]);
+      opened.push_back(binary_.second(children[k]));
       least = std::min(least, least_of(opened));
     }
     return least;
   }
 
-  const std::vector<BinaryNode>& binary_;
-  std::map<std::uint32_t, double> known_;
+  const BinaryBvh& binary_;
+  std::map<BinaryBvh::Node, double> known_;
 };
 
 TEST(WideTree, has_the_smallest_area_of_all_choices) {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
-    const std::vector<BinaryNode> binary = random_tree(seed, 2 + 3 * seed);
-    const double least = EveryWay(binary).least_area(0);
-    EXPECT_NEAR(area_of(binary, WideTree(binary), 0), least, 1e-5 * least) << seed;
+    const BinaryBvh binary = random_tree(seed, 2 + 3 * seed);
+    const double least = EveryWay(binary).least_area(binary.root());
+    EXPECT_NEAR(area_of(binary, WideTree(binary), binary.root()), least, 1e-5 * least) << seed;
   }
 }
 
 TEST(WideTree, of_boxes_too_large_for_areas_holds_every_leaf) {
-  std::vector<BvhPrimitive> primitives(100);
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    primitives[i].box.add(vec3(-1e30F));
-    primitives[i].box.add(vec3(1e30F + 1e28F * static_cast<float>(i)));
-    primitives[i].index = i;
-  }
-  const std::vector<BinaryNode> binary = build_binary_bvh(primitives);
+  UnfilledVector<BvhPrimitive> primitives;
+  for (std::uint32_t i = 0; i < 100; ++i)
+    primitives.emplace_back(Box{vec3(-1e30F), vec3(1e30F + 1e28F * static_cast<float>(i))}, i);
+  const BinaryBvh binary(std::move(primitives));
   const WideTree wide(binary);
   std::vector<int> times(100);
-  std::vector<std::uint32_t> open{0};
+  std::vector<BinaryBvh::Node> open{binary.root()};
   while (!open.empty()) {
     const Children children = wide.children_of(open.back());
     open.pop_back();
     for (std::uint32_t c = 0; c < children.count; ++c) {
-      const BinaryNode& child = binary[children.nodes[c]];
-      if (child.is_leaf()) {
-        ++times[child.primitive];
+      const BinaryBvh::Node child = children.nodes[c];
+      if (BinaryBvh::is_leaf(child)) {
+        ++times[binary.primitive(child)];
       } else {
-        open.push_back(children.nodes[c]);
+        open.push_back(child);
       }
     }
   }

@@ -170,26 +170,23 @@ TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
 }
 
 /// Levels of inner nodes.
-std::uint32_t depth_of(const std::vector<BinaryNode>& nodes, std::uint32_t node) {
-  if (nodes[node].is_leaf()) return 0;
-  return 1 + std::max(depth_of(nodes, node + 1), depth_of(nodes, nodes[node].second));
+/// Levels of inner nodes.
+std::uint32_t depth_of(const BinaryBvh& bvh, BinaryBvh::Node node) {
+  if (BinaryBvh::is_leaf(node)) return 0;
+  return 1 + std::max(depth_of(bvh, bvh.first(node)), depth_of(bvh, bvh.second(node)));
 }
 
 /// Triangles in a row, each a twentieth as far away as the one before: whatever the bins, one is split off at
 /// a time.
 TEST(TraversalCost, no_input_makes_a_tree_deeper_than_the_stack) {
-  std::vector<BvhPrimitive> primitives;
+  UnfilledVector<BvhPrimitive> primitives;
   float x = 1e37F;
-  for (std::uint32_t i = 0; i < 57; ++i, x /= 20) {
-    BvhPrimitive& p = primitives.emplace_back();
-    p.box.add(vec3(x, 0, 0));
-    p.box.add(vec3(x, 1, 1));
-    p.index = i;
-  }
-  const std::vector<BinaryNode> nodes = build_binary_bvh(primitives);
-  EXPECT_LE(depth_of(nodes, 0), shared::LARGEST_STACK_SIZE);
+  for (std::uint32_t i = 0; i < 57; ++i, x /= 20)
+    primitives.emplace_back(Box{vec3(x, 0, 0), vec3(x, 1, 1)}, i);
+  const BinaryBvh bvh(std::move(primitives));
+  EXPECT_LE(depth_of(bvh, bvh.root()), shared::LARGEST_STACK_SIZE);
   // That it could be: so many levels are split off one by one.
-  EXPECT_GE(depth_of(nodes, 0), 25U);
+  EXPECT_GE(depth_of(bvh, bvh.root()), 25U);
 }
 
 TEST(TraversalCost, kernels_have_no_more_instructions_than_they_had) {
