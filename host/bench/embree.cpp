@@ -47,16 +47,12 @@ class Embree : public Yardstick {
           return true;
         },
         this);
-    scene_ = rtcNewScene(device_);
-    attach(packed);
-    const ssize_t geometry = bytes_;
-    const auto start = std::chrono::steady_clock::now();
-    rtcCommitScene(scene_);
-    build_seconds_ = seconds_since(start);
-    tree_bytes_ = static_cast<std::uint64_t>(std::max<ssize_t>(0, bytes_ - geometry));
+    geometry_ = make_geometry(packed);
+    build();
   }
   ~Embree() override {
     rtcReleaseScene(scene_);
+    rtcReleaseGeometry(geometry_);
     rtcReleaseDevice(device_);
   }
   Embree(const Embree&) = delete;
@@ -82,7 +78,18 @@ class Embree : public Yardstick {
     });
   }
 
-  [[nodiscard]] double build_seconds() const override { return build_seconds_; }
+  double build() override {
+    if (scene_ != nullptr) rtcReleaseScene(scene_);
+    scene_ = rtcNewScene(device_);
+    rtcAttachGeometry(scene_, geometry_);
+    const ssize_t bytes_before = bytes_;
+    const auto start = std::chrono::steady_clock::now();
+    rtcCommitScene(scene_);
+    const double seconds = seconds_since(start);
+    tree_bytes_ = static_cast<std::uint64_t>(std::max<ssize_t>(0, bytes_ - bytes_before));
+    return seconds;
+  }
+
   [[nodiscard]] std::uint64_t bytes() const override { return tree_bytes_; }
 
  private:
@@ -98,7 +105,7 @@ class Embree : public Yardstick {
     });
   }
 
-  void attach(const PackedScene& packed) {
+  [[nodiscard]] RTCGeometry make_geometry(const PackedScene& packed) const {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = packed.triangle_count();
     auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -114,8 +121,7 @@ class Embree : public Yardstick {
       for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = static_cast<std::uint32_t>(3 * i + k);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+    return geometry;
   }
 
   float closest(const RayRecord& r, RTCIntersectContext& context) const {
@@ -162,8 +168,8 @@ class Embree : public Yardstick {
 
   std::atomic<ssize_t> bytes_ = 0;
   RTCDevice device_;
+  RTCGeometry geometry_ = nullptr;
   RTCScene scene_ = nullptr;
-  double build_seconds_ = 0;
   std::uint64_t tree_bytes_ = 0;
 };
 

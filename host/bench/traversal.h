@@ -31,10 +31,10 @@ struct TraversalRow {
 };
 
 struct BuildRow {
-  double seconds = 0;
+  Figure seconds;
   std::uint64_t bytes = 0;  ///< of nodes and triangles on the device
   double sah = 0;           ///< visits of nodes and leaves by a random ray, expected
-  std::optional<double> yardstick_seconds;
+  std::optional<Figure> yardstick_seconds;
   std::optional<std::uint64_t> yardstick_bytes;
 };
 
@@ -45,8 +45,9 @@ struct TraversalResult {
   std::vector<TraversalRow> rows;
 };
 
-/// Both trace every set of rays in turn, `repeats` times, after one round that is not counted. Throws
-/// InputError where the mesh does not fit the device.
+/// Both build their trees in turn, `repeats` times but three at most, and trace every set of rays in turn,
+/// `repeats` times; the first round of each is not counted. Throws InputError where the mesh does not fit the
+/// device.
 [[nodiscard]] TraversalResult measure_traversal(gpu::Device& device, const std::string& name, Scene scene,
                                                 const TraversalOptions& options);
 

@@ -23,7 +23,8 @@ class Yardstick {
   /// 1 where something is in the way; not bool, so that threads may write side by side.
   virtual void trace_any(std::span<const shared::RayRecord> rays, Calls calls, std::span<char> occluded) = 0;
 
-  [[nodiscard]] virtual double build_seconds() const = 0;
+  /// Builds the tree anew; returns the seconds that it took.
+  virtual double build() = 0;
   /// Of the tree, the triangles in its leaves included.
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 };
@@ -31,7 +32,7 @@ class Yardstick {
 /// "Embree 3.13.5", or "" where there is none.
 [[nodiscard]] std::string yardstick_name();
 
-/// Builds its tree; nothing where there is none.
+/// Its tree is built; nothing where there is none.
 [[nodiscard]] std::unique_ptr<Yardstick> make_yardstick(const PackedScene& packed);
 
 }  // namespace facet::bench

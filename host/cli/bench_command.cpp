@@ -139,7 +139,9 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->add_option("--rays", o.traversal.rays, "Rays from the camera, about")
       ->check(CLI::Range(1U << 10U, 1U << 20U))
       ->capture_default_str();
-  command->add_option("--repeats", o.traversal.repeats, "Timed runs of each; the median counts")
+  command
+      ->add_option("--repeats", o.traversal.repeats,
+                   "Timed runs of each, of building three at most; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_option("--spp", o.samples_per_pixel, "Samples a pixel of whole renders")

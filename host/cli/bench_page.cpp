@@ -99,15 +99,15 @@ class Page {
     std::string rows;
     for (const bench::TraversalResult* r : meshes_) {
       const auto x = static_cast<double>(r->triangles);
-      own.points.emplace_back(x, r->build.seconds);
-      if (r->build.yardstick_seconds) other.points.emplace_back(x, *r->build.yardstick_seconds);
+      own.points.emplace_back(x, r->build.seconds.median);
+      if (r->build.yardstick_seconds) other.points.emplace_back(x, r->build.yardstick_seconds->median);
     }
     for (const bench::TraversalResult* r : results_) {
       rows += fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(r->mesh)) +
-              cell(fmt::format("{}", r->triangles)) + cell(fmt::format("{:.3f}", r->build.seconds)) +
+              cell(fmt::format("{}", r->triangles)) + cell(seconds_text(r->build.seconds)) +
               cell(fmt::format("{:.1f}", bytes_a_triangle(r->build.bytes, *r))) +
               cell(fmt::format("{:.2f}", r->build.sah)) +
-              cell(r->build.yardstick_seconds ? fmt::format("{:.3f}", *r->build.yardstick_seconds) : "") +
+              cell(r->build.yardstick_seconds ? seconds_text(*r->build.yardstick_seconds) : "") +
               cell(r->build.yardstick_bytes
                        ? fmt::format("{:.1f}", bytes_a_triangle(*r->build.yardstick_bytes, *r))
                        : "") +

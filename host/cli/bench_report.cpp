@@ -38,11 +38,12 @@ ordered_json row_json(const bench::TraversalResult& result, const bench::Travers
 ordered_json build_json(const bench::TraversalResult& r) {
   ordered_json j{{"mesh", r.mesh},
                  {"triangles", r.triangles},
-                 {"facet_seconds", r.build.seconds},
+                 {"facet_seconds", figure_json(r.build.seconds)},
                  {"facet_bytes", r.build.bytes},
                  {"facet_sah", r.build.sah}};
   if (r.build.yardstick_seconds) {
-    j["embree_seconds"] = *r.build.yardstick_seconds;
+    j["embree_seconds"] = figure_json(*r.build.yardstick_seconds);
+    j["ratio_seconds"] = r.build.seconds.median / r.build.yardstick_seconds->median;
     j["embree_bytes"] = *r.build.yardstick_bytes;
   }
   return j;
@@ -71,17 +72,22 @@ std::string figure_text(const bench::Figure& f, double scale, int width) {
   return fmt::format("{:{}.2f} ({:.2f} to {:.2f})", f.median * scale, width, f.min * scale, f.max * scale);
 }
 
+std::string seconds_text(const bench::Figure& f) {
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})", f.median, f.min, f.max);
+}
+
 double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& r) {
   return static_cast<double>(bytes) / static_cast<double>(r.triangles);
 }
 
 std::string text_of(const bench::TraversalResult& r) {
-  std::string text =
-      fmt::format("{}: {} triangles; BVH in {:.3f} s, {:.1f} bytes a triangle, SAH cost {:.2f}", r.mesh,
-                  r.triangles, r.build.seconds, bytes_a_triangle(r.build.bytes, r), r.build.sah);
+  std::string text = fmt::format("{}: {} triangles; BVH in {} s, {:.1f} bytes a triangle, SAH cost {:.2f}",
+                                 r.mesh, r.triangles, seconds_text(r.build.seconds),
+                                 bytes_a_triangle(r.build.bytes, r), r.build.sah);
   if (r.build.yardstick_seconds) {
-    text += fmt::format("; {}: {:.3f} s, {:.1f} bytes", bench::yardstick_name(), *r.build.yardstick_seconds,
-                        bytes_a_triangle(*r.build.yardstick_bytes, r));
+    text +=
+        fmt::format("; {}: {} s, {:.1f} bytes", bench::yardstick_name(),
+                    seconds_text(*r.build.yardstick_seconds), bytes_a_triangle(*r.build.yardstick_bytes, r));
   }
   text += '\n';
   for (const bench::TraversalRow& row : r.rows) {
