@@ -12,8 +12,8 @@ namespace facet {
 namespace {
 
 constexpr std::size_t most_bins = 24;
-/// Levels of inner nodes at most: what cannot be halved by count in those that are left is not split otherwise, so that no
-/// input makes a tree too deep for the kernels' stack.
+/// Levels of inner nodes at most: what cannot be halved by count in those that are left is not split
+/// otherwise, so that no input makes a tree too deep for the kernels' stack.
 constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
 constexpr std::size_t parallel_size = 1U << 16U;
