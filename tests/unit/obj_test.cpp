@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/ext/matrix_transform.hpp>
+#include <numbers>
 
 #include "support/input.h"
 
@@ -65,6 +67,48 @@ TEST_F(ObjTest, ConcavePolygonsKeepTheirArea) {
   const Mesh arrow = read("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
   EXPECT_EQ(arrow.position_indices.size(), 3U);
   EXPECT_NEAR(area(arrow), 2.5, 1e-6);
+}
+
+TEST_F(ObjTest, QuadrilateralsAreCutAlongTheShorterDiagonalThatLiesInThem) {
+  const Mesh kite = read("v 0 0 0\nv 1 -1 0\nv 3 0 0\nv 1 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(kite.position_indices, (std::vector<uvec3>{{0, 1, 3}, {1, 2, 3}}));
+  const Mesh dart = read("v 0 0 0\nv 1 -1 0\nv 0.5 0 0\nv 1 1 0\nf 2 3 4 1\n");
+  EXPECT_EQ(dart.position_indices.size(), 2U);
+  EXPECT_NEAR(area(dart), 0.5, 1e-6);
+}
+
+TEST_F(ObjTest, PolygonsThatWindInwardsKeepTheirArea) {
+  // A comb of three teeth, in a plane across the axes.
+  const std::array<vec2, 11> outline{vec2(0, 0), vec2(5, 0), vec2(5, 4), vec2(4, 4), vec2(4, 1), vec2(3, 1),
+                                     vec2(3, 4), vec2(2, 4), vec2(2, 1), vec2(1, 1), vec2(0, 4)};
+  std::string text;
+  std::string face = "f";
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    text += fmt::format("v {} {} {}\n", outline[i].x, outline[i].y, outline[i].x);
+    face += fmt::format(" {}", i + 1);
+  }
+  const Mesh comb = read(text + face + "\n");
+  EXPECT_EQ(comb.position_indices.size(), 9U);
+  EXPECT_NEAR(area(comb), (5 + 3 + 3 + 1.5) * std::numbers::sqrt2, 1e-5);
+}
+
+/// Large enough for several portions.
+TEST_F(ObjTest, LargeFilesAreReadAsSmallOnes) {
+  constexpr int count = 100'000;
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("v {} 0 0\nv {} 1 0\nv {} 0 1\nf -3 -2 {}\n", i, i, i, 3 * i + 3);
+  const Mesh mesh = read(text);
+  ASSERT_EQ(mesh.position_indices.size(), static_cast<std::size_t>(count));
+  ASSERT_EQ(mesh.positions.size(), static_cast<std::size_t>(3 * count));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ASSERT_EQ(mesh.position_indices[i], uvec3(3 * i, 3 * i + 1, 3 * i + 2));
+    ASSERT_EQ(mesh.positions[3 * i], vec3(i, 0, 0));
+  }
+  // Of several errors the first is told, with its line.
+  const std::string bad = text + "v 1 2\n" + text + text + "f 1 2\n" + text;
+  expect_message(input_error_of([&] { read(bad); }), place(folder_.file("mesh.obj"), 4 * count + 1),
+                 {"a vertex of 2 coordinates"});
 }
 
 TEST_F(ObjTest, TrianglesOfAPolygonKeepItsOrientation) {

@@ -1,69 +1,100 @@
 #include "scene/mesh/obj.h"
 
-#include <tiny_obj_loader.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
-#include "scene/mesh/obj_check.h"
+#include "core/parallel.h"
+#include "scene/mesh/obj_parser.h"
+#include "scene/mesh/triangulate.h"
 
 namespace facet {
 
 namespace {
 
-tinyobj::ObjReader parse(const std::filesystem::path& path, const std::string& text) {
-  tinyobj::ObjReaderConfig config;
-  config.triangulate = true;
-  config.vertex_color = false;
-  tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(text, "", config)) {
-    std::string why = reader.Error().empty() ? "not a readable OBJ file" : reader.Error();
-    while (!why.empty() && (why.back() == '\n' || why.back() == ' ')) why.pop_back();
-    throw InputError(fmt::format("{}: {}", path.string(), why));
-  }
-  return reader;
+std::string read_text(const std::filesystem::path& path, const SourceLocation& where) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || !std::filesystem::is_regular_file(path))
+    throw InputError(where, fmt::format("cannot read the mesh {}", path.string()));
+  std::string text(std::filesystem::file_size(path), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
 }
 
-std::vector<vec3> transform_points(const std::vector<tinyobj::real_t>& v, const dmat4& m,
-                                   const std::filesystem::path& path) {
-  std::vector<vec3> points(v.size() / 3);
+void transform_points(std::vector<vec3>& points, const dmat4& m, const std::filesystem::path& path) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec4 p = m * glm::dvec4(v[3 * i], v[3 * i + 1], v[3 * i + 2], 1);
+    const glm::dvec4 p = m * glm::dvec4(points[i], 1);
     points[i] = vec3(dvec3(p) / p.w);
     if (!std::isfinite(points[i].x + points[i].y + points[i].z)) {
       throw InputError(fmt::format("{}: vertex {} is not finite in the world's space", path.string(), i + 1));
     }
   }
-  return points;
 }
 
-std::vector<vec3> transform_normals(const std::vector<tinyobj::real_t>& v, const dmat4& m) {
+void transform_normals(std::vector<vec3>& normals, const dmat4& m) {
   const glm::dmat3 cofactor = glm::transpose(glm::inverse(glm::dmat3(m)));
-  std::vector<vec3> normals(v.size() / 3);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const dvec3 n = cofactor * dvec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+  for (vec3& normal : normals) {
+    const dvec3 n = cofactor * dvec3(normal);
     const double length = glm::length(n);
     // A zero normal stays zero: shading falls back to the geometric one.
-    normals[i] = length > 0 && std::isfinite(length) ? vec3(n / length) : vec3(0);
+    normal = length > 0 && std::isfinite(length) ? vec3(n / length) : vec3(0);
   }
-  return normals;
 }
 
-/// The three indices of a kind; none in x where a corner has none. check_obj has looked at their ranges.
-uvec3 triangle_indices(int a, int b, int c) {
-  if (a < 0 || b < 0 || c < 0) return uvec3(none);
-  return {a, b, c};
-}
+/// Writes the triangles of a portion's faces into the mesh, from a place on.
+class FaceWriter {
+ public:
+  FaceWriter(Mesh& mesh, const std::vector<vec3>& positions, std::size_t first)
+      : mesh_(mesh), positions_(positions), at_(first) {}
 
-void append_triangles(Mesh& mesh, const tinyobj::mesh_t& shape) {
-  for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
-    const auto& [a, b, c] = std::tie(shape.indices[i], shape.indices[i + 1], shape.indices[i + 2]);
-    mesh.position_indices.push_back(triangle_indices(a.vertex_index, b.vertex_index, c.vertex_index));
-    mesh.normal_indices.push_back(triangle_indices(a.normal_index, b.normal_index, c.normal_index));
-    mesh.texcoord_indices.push_back(triangle_indices(a.texcoord_index, b.texcoord_index, c.texcoord_index));
+  void write(const ObjFaces& faces) {
+    std::span<const ObjCorner> rest(faces.corners);
+    for (const std::uint32_t size : faces.sizes) {
+      write_face(rest.first(size));
+      rest = rest.subspan(size);
+    }
   }
+
+ private:
+  void write_face(std::span<const ObjCorner> face) {
+    if (face.size() == 3) return write_triangle(face[0], face[1], face[2]);
+    std::vector<vec3> polygon;
+    for (const ObjCorner& corner : face) polygon.push_back(positions_[corner.position]);
+    for (const auto& [a, b, c] : triangulate(polygon)) write_triangle(face[a], face[b], face[c]);
+  }
+
+  void write_triangle(const ObjCorner& a, const ObjCorner& b, const ObjCorner& c) {
+    mesh_.position_indices[at_] = {a.position, b.position, c.position};
+    mesh_.normal_indices[at_] = all_or_none(a.normal, b.normal, c.normal);
+    mesh_.texcoord_indices[at_] = all_or_none(a.texcoord, b.texcoord, c.texcoord);
+    ++at_;
+  }
+
+  /// none in x where a corner has none.
+  static uvec3 all_or_none(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return a == none || b == none || c == none ? uvec3(none) : uvec3(a, b, c);
+  }
+
+  Mesh& mesh_;
+  const std::vector<vec3>& positions_;
+  std::size_t at_;
+};
+
+/// The file's faces as the mesh's triangles.
+void write_triangles(Mesh& mesh, const ObjText& text) {
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const ObjFaces& faces : text.faces) {
+    first.push_back(count);
+    count += faces.corners.size() - 2 * faces.sizes.size();
+  }
+  mesh.position_indices.resize(count);
+  mesh.normal_indices.resize(count);
+  mesh.texcoord_indices.resize(count);
+  parallel_for(text.faces.size(), 1, [&](std::size_t i, std::size_t /*end*/) {
+    FaceWriter(mesh, text.positions, first[i]).write(text.faces[i]);
+  });
 }
 
 /// Drops index lists that no triangle uses.
@@ -76,26 +107,16 @@ void drop_unused(std::vector<uvec3>& indices) {
 
 Mesh read_obj(const std::filesystem::path& path, const dmat4& to_world, const SourceLocation& where,
               Diagnostics& diagnostics) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(path))
-    throw InputError(where, fmt::format("cannot read the mesh {}", path.string()));
-  std::ostringstream buffer;
-  buffer << in.rdbuf();
-  const std::string text = buffer.str();
-  check_obj(path, text);
-  const tinyobj::ObjReader reader = parse(path, text);
-  const tinyobj::attrib_t& attributes = reader.GetAttrib();
-
+  ObjText text = parse_obj(path, read_text(path, where));
   Mesh mesh;
   mesh.name = path.filename().string();
   mesh.where = where;
-  mesh.positions = transform_points(attributes.vertices, to_world, path);
-  mesh.normals = transform_normals(attributes.normals, to_world);
-  mesh.texcoords.resize(attributes.texcoords.size() / 2);
-  for (std::size_t i = 0; i < mesh.texcoords.size(); ++i) {
-    mesh.texcoords[i] = vec2(attributes.texcoords[2 * i], attributes.texcoords[2 * i + 1]);
-  }
-  for (const tinyobj::shape_t& shape : reader.GetShapes()) append_triangles(mesh, shape.mesh);
+  write_triangles(mesh, text);
+  transform_points(text.positions, to_world, path);
+  transform_normals(text.normals, to_world);
+  mesh.positions = std::move(text.positions);
+  mesh.normals = std::move(text.normals);
+  mesh.texcoords = std::move(text.texcoords);
   drop_unused(mesh.normal_indices);
   drop_unused(mesh.texcoord_indices);
   if (mesh.position_indices.empty())

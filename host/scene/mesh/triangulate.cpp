@@ -1,0 +1,95 @@
+#include "scene/mesh/triangulate.h"
+
+#include <numeric>
+
+namespace facet {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Twice the polygon's area, as a normal (Newell's).
+dvec3 area_vector(std::span<const vec3> polygon) {
+  dvec3 sum(0);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const vec3& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    sum += glm::cross(dvec3(polygon[i] - polygon.front()), dvec3(next - polygon.front()));
+  }
+  return sum;
+}
+
+class EarClipper {
+ public:
+  explicit EarClipper(std::span<const vec3> polygon)
+      : polygon_(polygon), normal_(area_vector(polygon)), left_(polygon.size()) {
+    std::iota(left_.begin(), left_.end(), 0U);
+  }
+
+  std::vector<Triangle> clip() {
+    std::vector<Triangle> triangles;
+    while (left_.size() > 3) {
+      const std::size_t ear = find_ear();
+      triangles.push_back(at(ear));
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    triangles.push_back(at(1));
+    return triangles;
+  }
+
+ private:
+  /// The triangle of a corner that is left and the two beside it.
+  [[nodiscard]] Triangle at(std::size_t i) const {
+    return {left_[i > 0 ? i - 1 : left_.size() - 1], left_[i], left_[i + 1 < left_.size() ? i + 1 : 0]};
+  }
+
+  /// A corner whose triangle holds no other; any where there is none.
+  [[nodiscard]] std::size_t find_ear() const {
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      if (is_ear(at(i))) return i;
+    }
+    return 0;
+  }
+
+  [[nodiscard]] bool is_ear(const Triangle& t) const {
+    if (!(side(t[0], t[1], t[2]) > 0)) return false;
+    for (const std::uint32_t p : left_) {
+      if (p == t[0] || p == t[1] || p == t[2]) continue;
+      if (side(t[0], t[1], p) >= 0 && side(t[1], t[2], p) >= 0 && side(t[2], t[0], p) >= 0) return false;
+    }
+    return true;
+  }
+
+  /// Positive where corner c is on the inner side of the line from a to b.
+  [[nodiscard]] double side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return glm::dot(glm::cross(dvec3(polygon_[b] - polygon_[a]), dvec3(polygon_[c] - polygon_[a])), normal_);
+  }
+
+  std::span<const vec3> polygon_;
+  dvec3 normal_;
+  std::vector<std::uint32_t> left_;
+};
+
+/// Along the shorter diagonal, unless that leaves the quadrilateral.
+std::vector<Triangle> triangulate_quadrilateral(std::span<const vec3> p) {
+  const auto normal = [&](const Triangle& t) {
+    return glm::cross(dvec3(p[t[1]] - p[t[0]]), dvec3(p[t[2]] - p[t[0]]));
+  };
+  const auto is_inside = [&](const std::vector<Triangle>& halves) {
+    return glm::dot(normal(halves[0]), normal(halves[1])) > 0;
+  };
+  const std::vector<Triangle> by02{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Triangle> by13{{0, 1, 3}, {1, 2, 3}};
+  const bool is_02_shorter = glm::distance(p[0], p[2]) < glm::distance(p[1], p[3]);
+  const std::vector<Triangle>& shorter = is_02_shorter ? by02 : by13;
+  const std::vector<Triangle>& longer = is_02_shorter ? by13 : by02;
+  return is_inside(longer) && !is_inside(shorter) ? longer : shorter;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulate(std::span<const vec3> polygon) {
+  if (polygon.size() == 4) return triangulate_quadrilateral(polygon);
+  return EarClipper(polygon).clip();
+}
+
+}  // namespace facet

@@ -1,0 +1,18 @@
+#pragma once
+// Polygons in space as triangles.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace facet {
+
+/// A polygon's triangles, by the numbers of their corners: two fewer than it has corners, each wound as it
+/// is. The polygon has at least three corners, lies in a plane or nearly so, and may be concave; of one that
+/// crosses itself the triangles are some. G. H. Meisters, "Polygons Have Ears", American Mathematical Monthly
+/// 82(6), 1975.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const vec3> polygon);
+
+}  // namespace facet
