@@ -72,9 +72,9 @@ TEST_F(ObjTest, ConcavePolygonsKeepTheirArea) {
 TEST_F(ObjTest, QuadrilateralsAreCutAlongTheShorterDiagonalThatLiesInThem) {
   const Mesh kite = read("v 0 0 0\nv 1 -1 0\nv 3 0 0\nv 1 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(kite.position_indices, (std::vector<uvec3>{{0, 1, 3}, {1, 2, 3}}));
-  const Mesh dart = read("v 0 0 0\nv 1 -1 0\nv 0.5 0 0\nv 1 1 0\nf 2 3 4 1\n");
-  EXPECT_EQ(dart.position_indices.size(), 2U);
-  EXPECT_NEAR(area(dart), 0.5, 1e-6);
+  const Mesh dart = read("v 0 10 0\nv -1 0 0\nv 0 5 0\nv 1 0 0\nf 1 2 3 4\nf 2 3 4 1\n");
+  EXPECT_EQ(dart.position_indices.size(), 4U);
+  EXPECT_NEAR(area(dart), 2 * 5, 1e-5);
 }
 
 TEST_F(ObjTest, PolygonsThatWindInwardsKeepTheirArea) {
