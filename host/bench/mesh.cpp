@@ -103,24 +103,42 @@ Mesh make_body(std::size_t cells) {
   return mesh;
 }
 
-Mesh make_light() {
+/// A square of the light's plane, its lower corner at (x, z), cut into cells.
+Mesh make_light(double x, double z, double side, std::size_t cells) {
   Mesh mesh;
-  mesh.positions = {{-1, 4, -1}, {1, 4, -1}, {1, 4, 1}, {-1, 4, 1}};
-  mesh.position_indices = {{0, 1, 2}, {0, 2, 3}};
+  add_patch(mesh, cells, [=](double u, double v) { return dvec3(x + side * u, 4, z + side * v); });
   mesh.name = "light";
-  mesh.emitter = 0;
   return mesh;
+}
+
+void add_light(Scene& scene, Mesh light) {
+  const auto mesh = static_cast<std::uint32_t>(scene.meshes.size());
+  light.emitter = static_cast<std::uint32_t>(scene.emitters.size());
+  scene.meshes.push_back(std::move(light));
+  scene.emitters.emplace_back(AreaEmitter{mesh, Color(20)});
+}
+
+void add_lights(Scene& scene, std::size_t emitters) {
+  if (emitters == 0) return add_light(scene, make_light(-1, -1, 2, 1));
+  constexpr std::size_t cells = 64;
+  const auto row = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(emitters))));
+  const double side = 2.0 / static_cast<double>(row);
+  for (std::size_t i = 0; i < emitters; ++i) {
+    const double x = -1 + side * static_cast<double>(i % row);
+    const double z = -1 + side * static_cast<double>(i / row);
+    add_light(scene, make_light(x, z, side, cells / row));
+  }
 }
 
 }  // namespace
 
-Scene generate_scene(std::size_t triangles) {
+Scene generate_scene(std::size_t triangles, std::size_t emitters) {
   Scene scene;
   const double share = static_cast<double>(triangles) / (2 * (ball_sides + floor_shares));
   const auto cells = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::sqrt(share))));
-  scene.meshes = {make_body(cells), make_light()};
+  scene.meshes = {make_body(cells)};
   scene.bsdfs = {bsdf::Diffuse{}};
-  scene.emitters = {AreaEmitter{1, Color(20)}};
+  add_lights(scene, emitters);
   scene.integrator.type = find_integrator_type("path_mis").value();
   const dvec3 eye(2.4, 1.3, -3.1);
   const dvec3 forward = glm::normalize(dvec3(0, -0.25, 0) - eye);

@@ -2,6 +2,7 @@
 // How fast whole scenes render, and what goes before.
 #include <array>
 #include <string>
+#include <vector>
 
 #include "bench/figure.h"
 #include "gpu/device.h"
@@ -19,11 +20,19 @@ struct RenderRow {
   double compile_seconds = 0;  ///< of kernels, by us and by the driver, in the first run
   double startup_seconds = 0;  ///< packing, uploading and compiling, in the first run
   std::uint64_t device_bytes = 0;
+  std::uint64_t kernel_instructions = 0;                  ///< of all kernels, in SPIR-V
   std::array<double, stage_names.size()> stage_shares{};  ///< of the device's time; all 0 without timestamps
 };
 
-/// Renders the scene `repeats` times at its own size. Throws InputError where it does not fit the device.
-[[nodiscard]] RenderRow measure_render(gpu::Device& device, const std::string& name, const Scene& scene,
-                                       std::uint32_t samples_per_pixel, int repeats);
+struct RenderOptions {
+  std::uint32_t samples_per_pixel = 64;
+  int repeats = 3;
+  bool with_everything = false;  ///< also with kernels from which nothing is left out
+};
+
+/// Renders the scene `repeats` times at its own size, with kernels made for it, and in turn with those that
+/// have everything in if that is wanted: a row each. Throws InputError where it does not fit the device.
+[[nodiscard]] std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name,
+                                                    const Scene& scene, const RenderOptions& options);
 
 }  // namespace facet::bench

@@ -23,10 +23,12 @@ namespace {
 struct BenchOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> meshes;
-  std::uint32_t samples_per_pixel = 64;
+  std::uint32_t samples_per_pixel = bench::RenderOptions{}.samples_per_pixel;
   std::string device;
   std::string json;
   std::string html;
+  bool growth = false;
+  bool with_everything = false;
   bench::TraversalOptions traversal;
 };
 
@@ -80,6 +82,7 @@ class BenchJob {
       trace(name, scenes[i]);
       render(name, scenes[i]);
     }
+    if (options_.growth && !was_interrupted()) grow();
     if (!options_.json.empty()) write_text(options_.json, json_report(report_) + '\n');
     if (!options_.html.empty()) write_bench_page(options_.html, report_);
     return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
@@ -87,7 +90,8 @@ class BenchJob {
 
  private:
   [[nodiscard]] const std::vector<std::string>& wanted_meshes() const {
-    return options_.meshes.empty() && options_.scenes.empty() ? default_meshes : options_.meshes;
+    const bool is_default = options_.meshes.empty() && options_.scenes.empty() && !options_.growth;
+    return is_default ? default_meshes : options_.meshes;
   }
 
   static Scene load(const std::string& file) {
@@ -105,9 +109,18 @@ class BenchJob {
   }
 
   void render(const std::string& name, const Scene& scene) {
-    report_.renders.push_back(bench::measure_render(device_, name, scene, options_.samples_per_pixel,
-                                                    std::max(1, options_.traversal.repeats / 2)));
-    tell(text_of(report_.renders.back()));
+    for (const bench::RenderRow& row :
+         bench::measure_render(device_, name, scene,
+                               {options_.samples_per_pixel, std::max(1, options_.traversal.repeats / 2),
+                                options_.with_everything})) {
+      report_.renders.push_back(row);
+      tell(text_of(row));
+    }
+  }
+
+  void grow() {
+    report_.growth = bench::measure_growth(device_, options_.traversal.repeats);
+    for (const bench::GrowthSeries& series : report_.growth) tell(text_of(series));
   }
 
   void tell(const std::string& text) const {
@@ -147,6 +160,10 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->add_option("--spp", o.samples_per_pixel, "Samples a pixel of whole renders")
       ->check(CLI::Range(1U, 1U << 20U))
       ->capture_default_str();
+  command->add_flag("--everything", o.with_everything,
+                    "Render scenes also with kernels that have every BSDF, emitter and texture in");
+  command->add_flag("--growth", o.growth,
+                    "Measure how a frame's time grows with pixels, samples and emitters");
   add_device_option(*command, o.device);
   command->add_option("--json", o.json, "Write a report to this file, - for standard output");
   command->add_option("--html", o.html, "Write a page with plots and tables to this file");

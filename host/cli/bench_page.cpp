@@ -46,7 +46,7 @@ class Page {
                           {"threads", fmt::format("{}", thread_count())},
                           {"yardstick", name.empty() ? "" : escape_html(", beside " + name)},
                           {"version", FACET_VERSION},
-                          {"sections", rays() + trees() + renders()}});
+                          {"sections", rays() + trees() + renders() + growth()}});
   }
 
  private:
@@ -125,8 +125,9 @@ class Page {
 
   [[nodiscard]] std::string renders() const {
     if (report_.renders.empty()) return "";
-    std::vector<std::string> heads{"scene",    "integrator",  "samples a pixel", "M samples/s",
-                                   "M rays/s", "to start, s", "compiling, s",    "on the device"};
+    std::vector<std::string> heads{"scene",        "integrator",   "samples a pixel",
+                                   "M samples/s",  "M rays/s",     "to start, s",
+                                   "compiling, s", "instructions", "on the device"};
     for (const std::string_view stage : stage_names) heads.emplace_back(std::string(stage) + ", %");
     std::string rows;
     for (const bench::RenderRow& r : report_.renders) {
@@ -136,11 +137,29 @@ class Page {
               cell(fmt::format("{:.2f}", r.rays_per_second * 1e-6)) +
               cell(fmt::format("{:.2f}", r.startup_seconds)) +
               cell(fmt::format("{:.2f}", r.compile_seconds)) +
+              cell(fmt::format("{}", r.kernel_instructions)) +
               cell(with_unit_prefix(static_cast<double>(r.device_bytes)) + "B");
       for (const double share : r.stage_shares) rows += cell(fmt::format("{:.0f}", 100 * share));
       rows += "</tr>\n";
     }
     return "<section><h2>Whole renders</h2>\n" + bars() + table(heads, rows) + "</section>\n";
+  }
+
+  [[nodiscard]] std::string growth() const {
+    if (report_.growth.empty()) return "";
+    std::string plots;
+    std::string rows;
+    for (const bench::GrowthSeries& series : report_.growth) {
+      Line line{"facet", {}};
+      for (const bench::GrowthPoint& p : series.points) {
+        line.points.emplace_back(p.number, p.seconds.median);
+        rows += "<tr><th scope=\"row\">" + escape_html(series.of) + "</th>" +
+                cell(fmt::format("{:.0f}", p.number)) + cell(seconds_text(p.seconds)) + "</tr>\n";
+      }
+      plots += svg_lines({"Seconds of a frame", series.of, "s", {line}});
+    }
+    return "<section><h2>Growth</h2><div class=\"charts\">\n" + plots + "</div>\n" +
+           table({"of", "number", "a frame, s"}, rows) + "</section>\n";
   }
 
   /// A bar a scene, as long as its samples per second, parted by the stages' shares.

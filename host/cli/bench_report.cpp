@@ -62,8 +62,16 @@ ordered_json render_json(const bench::RenderRow& r) {
           {"rays_per_second", r.rays_per_second},
           {"compile_seconds", r.compile_seconds},
           {"startup_seconds", r.startup_seconds},
+          {"kernel_instructions", r.kernel_instructions},
           {"device_bytes", r.device_bytes},
           {"stages", stages}};
+}
+
+ordered_json growth_json(const bench::GrowthSeries& series) {
+  ordered_json points;
+  for (const bench::GrowthPoint& p : series.points)
+    points.push_back({{"number", p.number}, {"seconds", figure_json(p.seconds)}});
+  return {{"of", series.of}, {"points", points}};
 }
 
 }  // namespace
@@ -105,13 +113,20 @@ std::string text_of(const bench::RenderRow& r) {
   std::string text = fmt::format(
       "{}: {} at {} samples a pixel: {} M samples/s, {:.2f} M rays/s; {:.2f} s to "
       "start, {:.2f} s "
-      "of them compiling; {}B on the device\n ",
+      "of them compiling {} instructions; {}B on the device\n ",
       r.scene, r.integrator, r.samples_per_pixel, figure_text(r.samples_per_second, 1e-6),
-      r.rays_per_second * 1e-6, r.startup_seconds, r.compile_seconds,
+      r.rays_per_second * 1e-6, r.startup_seconds, r.compile_seconds, r.kernel_instructions,
       with_unit_prefix(static_cast<double>(r.device_bytes)));
   for (std::size_t i = 0; i < r.stage_shares.size(); ++i)
     text += fmt::format(" {} {:.0f} %", stage_names[i], 100 * r.stage_shares[i]);
   return text + '\n';
+}
+
+std::string text_of(const bench::GrowthSeries& series) {
+  std::string text = fmt::format("a frame's time by its {}:\n", series.of);
+  for (const bench::GrowthPoint& p : series.points)
+    text += fmt::format("  {:8.0f}  {} s\n", p.number, seconds_text(p.seconds));
+  return text;
 }
 
 std::string json_report(const BenchReport& report) {
@@ -121,12 +136,14 @@ std::string json_report(const BenchReport& report) {
                  {"yardstick", bench::yardstick_name()},
                  {"traversal", ordered_json::array()},
                  {"build", ordered_json::array()},
-                 {"render", ordered_json::array()}};
+                 {"render", ordered_json::array()},
+                 {"growth", ordered_json::array()}};
   for (const bench::TraversalResult& r : report.traversal) {
     for (const bench::TraversalRow& row : r.rows) j["traversal"].push_back(row_json(r, row));
     j["build"].push_back(build_json(r));
   }
   for (const bench::RenderRow& r : report.renders) j["render"].push_back(render_json(r));
+  for (const bench::GrowthSeries& s : report.growth) j["growth"].push_back(growth_json(s));
   return j.dump(1);
 }
 

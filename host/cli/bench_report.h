@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/growth.h"
 #include "bench/traversal.h"
 #include "bench/whole_render.h"
 
@@ -14,6 +15,7 @@ struct BenchReport {
   std::string driver;
   std::vector<bench::TraversalResult> traversal;
   std::vector<bench::RenderRow> renders;
+  std::vector<bench::GrowthSeries> growth;
 };
 
 /// Median with the least and the greatest in parentheses, the median at least so many characters wide.
@@ -24,6 +26,7 @@ struct BenchReport {
 /// Several lines each, the last one ended.
 [[nodiscard]] std::string text_of(const bench::TraversalResult& result);
 [[nodiscard]] std::string text_of(const bench::RenderRow& row);
+[[nodiscard]] std::string text_of(const bench::GrowthSeries& series);
 
 /// {"device", "driver", "threads", "yardstick", "traversal", "build", "render"}: rays in millions a second.
 [[nodiscard]] std::string json_report(const BenchReport& report);

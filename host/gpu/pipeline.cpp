@@ -1,7 +1,6 @@
 #include "gpu/pipeline.h"
 
 #include "core/error.h"
-#include "gpu/specialise.h"
 
 namespace facet::gpu {
 
@@ -63,12 +62,10 @@ BindingSet::BindingSet(const Device& device, const Layout& layout, std::span<con
 }
 
 vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout,
-                                         std::span<const std::uint32_t> code,
-                                         std::span<const std::uint32_t> constants, const std::string& name) {
-  const std::vector<std::uint32_t> special = specialise(code, constants, name);
+                                         std::span<const std::uint32_t> code, const std::string& name) {
   try {
-    const vk::raii::ShaderModule module(
-        device.handle(), vk::ShaderModuleCreateInfo({}, special.size() * sizeof(special[0]), special.data()));
+    const vk::raii::ShaderModule module(device.handle(),
+                                        vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout.pipeline())};
   } catch (const vk::SystemError& e) {

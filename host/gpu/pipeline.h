@@ -41,10 +41,9 @@ class BindingSet {
   vk::raii::DescriptorSet set_;
 };
 
-/// A kernel with its specialization constants, 32 bits each, ids from 0.
+/// A kernel without specialization constants, or with their default values.
 [[nodiscard]] vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout,
                                                        std::span<const std::uint32_t> code,
-                                                       std::span<const std::uint32_t> constants,
                                                        const std::string& name);
 
 /// Makes everything written so far visible to later kernels, indirect commands, copies and the host.

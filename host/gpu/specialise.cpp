@@ -32,4 +32,12 @@ std::vector<std::uint32_t> specialise(std::span<const std::uint32_t> code,
   return result;
 }
 
+std::size_t instruction_count(std::span<const std::uint32_t> code) {
+  constexpr std::size_t header_words = 5;
+  std::size_t count = 0;
+  // An instruction's first word has its length in the upper half.
+  for (std::size_t at = header_words; at < code.size(); at += code[at] >> 16U) ++count;
+  return count;
+}
+
 }  // namespace facet::gpu

@@ -15,4 +15,7 @@ namespace facet::gpu {
                                                     std::span<const std::uint32_t> constants,
                                                     const std::string& name);
 
+/// Of SPIR-V code.
+[[nodiscard]] std::size_t instruction_count(std::span<const std::uint32_t> code);
+
 }  // namespace facet::gpu

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gpu/specialise.h"
 #include "render/features.h"
 #include "render/kernels.h"
 #include "scene/bsdf/albedo_table.h"
@@ -83,8 +84,9 @@ const BsdfKernels::Pipelines& BsdfKernels::specialised(const Constants& constant
   const auto found = pipelines_.find(constants);
   if (found != pipelines_.end()) return found->second;
   const auto make = [&](Kernel kernel) {
-    return gpu::make_compute_pipeline(device_, layout_, kernel_code(kernel, GeometryFetch::storage_buffer),
-                                      constants, kernel_name(kernel));
+    const auto code =
+        gpu::specialise(kernel_code(kernel, GeometryFetch::storage_buffer), constants, kernel_name(kernel));
+    return gpu::make_compute_pipeline(device_, layout_, code, kernel_name(kernel));
   };
   return pipelines_.emplace(constants, Pipelines{make(Kernel::evaluate), make(Kernel::sample)}).first->second;
 }

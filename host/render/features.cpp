@@ -113,6 +113,14 @@ void Features::add_bsdf_choices(std::vector<std::string>& list) const {
   if ((texture_kinds & 2U) != 0) list.emplace_back("texture textmap");
 }
 
+Features Features::with_everything() const {
+  Features f = *this;
+  f.bsdf_mask = f.emitter_mask = f.bsdf_flags_some = f.texture_kinds = ~0U;
+  f.bsdf_flags_all = 0;
+  f.rough_bsdfs = f.shading_normals = f.negative_filter = true;
+  return f;
+}
+
 std::uint32_t Features::bounce_limit() const {
   if (!integrator.needs_emitters()) return 1;
   const int limit = integrator.interaction_limit();

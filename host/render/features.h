@@ -34,6 +34,10 @@ struct Features {
   /// Whether the bounce, counted from 0, comes after the last interaction: its ray looks for emission alone.
   [[nodiscard]] bool is_last_bounce(std::uint32_t bounce) const;
 
+  /// The same for kernels that leave nothing out but what the user decides: every BSDF, emitter and texture
+  /// is in, and every attribute of meshes. The image is the same.
+  [[nodiscard]] Features with_everything() const;
+
  private:
   void add_bsdf_choices(std::vector<std::string>& list) const;
 };

@@ -55,6 +55,7 @@ class Packer {
     std::uint32_t id = 0;
     for (std::uint32_t m = 0; m < scene_.meshes.size(); ++m) {
       const Mesh& mesh = scene_.meshes[m];
+      first_source_.push_back(sources_.size());
       for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i, ++id) {
         // A triangle without area cannot be hit, and would only make normals that do not exist.
         if (triangle_area(mesh, i) == 0) continue;
@@ -62,6 +63,7 @@ class Packer {
         corners_.push_back(corners_of(mesh, i));
       }
     }
+    first_source_.push_back(sources_.size());
   }
 
   [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
@@ -116,8 +118,7 @@ class Packer {
   double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
     record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
     std::vector<double> areas;
-    for (std::size_t s = 0; s < sources_.size(); ++s) {
-      if (sources_[s].mesh != mesh) continue;
+    for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s) {
       areas.push_back(triangle_area(scene_.meshes[mesh], sources_[s].index));
       packed_.emitter_triangles.push_back({0, packed_.bvh.places[s]});
     }
@@ -224,6 +225,7 @@ class Packer {
   const Scene& scene_;
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
+  std::vector<std::size_t> first_source_;  ///< of each mesh, and the end
   std::vector<TriangleCorners> corners_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/clock.h"
+#include "gpu/specialise.h"
 #include "render/features.h"
 
 namespace facet {
@@ -16,8 +17,9 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 
 vk::raii::Pipeline make_pipeline(const gpu::Device& device, const gpu::Layout& layout, Kernel kernel,
                                  GeometryFetch fetch, std::uint32_t stack_size) {
-  return gpu::make_compute_pipeline(device, layout, kernel_code(kernel, fetch),
-                                    Features{}.constants(stack_size), kernel_name(kernel));
+  const auto code =
+      gpu::specialise(kernel_code(kernel, fetch), Features{}.constants(stack_size), kernel_name(kernel));
+  return gpu::make_compute_pipeline(device, layout, code, kernel_name(kernel));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Feature
   resources_ = std::make_unique<Resources>(device, packed, features, settings);
   warm_up();
   statistics_.compile_seconds = seconds_since(start);
+  statistics_.kernel_instructions = resources_->instruction_count();
   statistics_.device_bytes = device.reserved_bytes();
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "gpu/specialise.h"
 
 namespace facet {
 
@@ -131,8 +132,9 @@ vk::raii::Pipeline Renderer::Resources::make_pipeline(Kernel kernel, BounceKind 
   auto constants = features_.constants(stack_size_);
   constants[shared::SPEC_CAMERA_BOUNCE] = kind.camera ? 1 : 0;
   constants[shared::SPEC_LAST_BOUNCE] = kind.last ? 1 : 0;
-  return gpu::make_compute_pipeline(device_, layout_, kernel_code(kernel, geometry_.fetch()), constants,
-                                    kernel_name(kernel));
+  const auto code = gpu::specialise(kernel_code(kernel, geometry_.fetch()), constants, kernel_name(kernel));
+  instructions_ += gpu::instruction_count(code);
+  return gpu::make_compute_pipeline(device_, layout_, code, kernel_name(kernel));
 }
 
 Renderer::Resources::BounceKind Renderer::Resources::kind_of(std::uint32_t bounce) const {

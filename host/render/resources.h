@@ -1,6 +1,7 @@
 #pragma once
 // Everything a render keeps on the device: buffers, bindings, pipelines.
 #include <array>
+#include <atomic>
 #include <deque>
 #include <optional>
 #include <span>
@@ -59,6 +60,9 @@ struct Renderer::Resources {
   [[nodiscard]] std::vector<shared::RayRecord> read_rays(std::uint32_t count) const;
   [[nodiscard]] std::vector<shared::PathRecord> read_paths(std::uint32_t count) const;
 
+  /// Of all kernels, in SPIR-V.
+  [[nodiscard]] std::uint64_t instruction_count() const { return instructions_; }
+
   [[nodiscard]] std::uint32_t pixel_count() const { return pixel_count_; }
   [[nodiscard]] std::uint32_t slot_count() const { return slot_count_; }
   [[nodiscard]] const std::vector<FilmPiece>& film_pieces() const { return pieces_; }
@@ -84,6 +88,7 @@ struct Renderer::Resources {
 
   gpu::Device& device_;
   Features features_;
+  mutable std::atomic<std::uint64_t> instructions_ = 0;
   std::uint32_t stack_size_;
   std::size_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   bool variance_;

@@ -14,10 +14,11 @@ inline constexpr std::array<std::string_view, 3> stage_names{"first_bounce", "la
 struct RenderStatistics {
   std::uint64_t closest_rays = 0;
   std::uint64_t any_rays = 0;
-  std::uint64_t samples = 0;      ///< finished, over all pixels
-  std::uint64_t bad_samples = 0;  ///< dropped: NaN, infinite or negative
-  std::uint64_t bound_hits = 0;   ///< traversals stopped by their bound
-  double compile_seconds = 0;     ///< of the kernels, by us and by the driver
+  std::uint64_t samples = 0;              ///< finished, over all pixels
+  std::uint64_t bad_samples = 0;          ///< dropped: NaN, infinite or negative
+  std::uint64_t bound_hits = 0;           ///< traversals stopped by their bound
+  double compile_seconds = 0;             ///< of the kernels, by us and by the driver
+  std::uint64_t kernel_instructions = 0;  ///< of the compiled kernels, in SPIR-V
   double render_seconds = 0;
   std::array<double, stage_names.size()>
       stage_seconds{};  ///< where RenderSettings::time_stages asks for them

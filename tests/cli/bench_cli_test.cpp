@@ -83,6 +83,44 @@ TEST_F(BenchCliTest, PageHoldsPlotsAndEveryFigureAndFetchesNothing) {
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
 }
 
+TEST_F(BenchCliTest, KernelsWithEverythingInAreLargerAndAnsweredInARowOfTheirOwn) {
+  const std::string scene = std::string(FACET_SCENES) + "/cbox/cbox_conductors_mis.xml";
+  const Result result = run(bench({scene, "--everything", "--json", "report.json"}));
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  ASSERT_EQ(report["render"].size(), 2U);
+  EXPECT_EQ(report["render"][1]["scene"], "cbox_conductors_mis, everything in");
+  EXPECT_GT(report["render"][1]["kernel_instructions"],
+            1.5 * report["render"][0]["kernel_instructions"].get<double>());
+  // The same paths.
+  EXPECT_NEAR(report["render"][1]["rays_per_second"].get<double>() /
+                  report["render"][1]["samples_per_second"].get<double>(),
+              report["render"][0]["rays_per_second"].get<double>() /
+                  report["render"][0]["samples_per_second"].get<double>(),
+              1e-9);
+}
+
+TEST_F(BenchCliTest, GrowthIsMeasuredInPixelsSamplesAndEmitters) {
+  const Result result =
+      run({"bench", "--growth", "--repeats", "1", "--json", "report.json", "--html", "page.html"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  expect_words(result.out,
+               {"a frame's time by its pixels:", "1048576", "samples a pixel:", "emitters:", "4096"});
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  EXPECT_TRUE(report["traversal"].empty());
+  ASSERT_EQ(report["growth"].size(), 3U);
+  for (const auto& series : report["growth"]) {
+    EXPECT_GE(series["points"].size(), 5U);
+    double before = 0;
+    for (const auto& point : series["points"]) {
+      EXPECT_GT(point["number"], before);
+      before = point["number"];
+      EXPECT_GT(point["seconds"]["median"], 0);
+    }
+  }
+  expect_words(folder_.read("page.html"), {"<h2>Growth</h2>", "emitters", "4096"});
+}
+
 TEST_F(BenchCliTest, MistakesAreNamed) {
   for (const std::string mesh : {"many", "70x", "3", "1e12"}) {
     const Result result = run(bench({"--mesh", mesh}));

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gpu/pipeline.h"
+#include "gpu/specialise.h"
 #include "support/render.h"
 
 namespace facet::test {
@@ -46,7 +47,8 @@ Pairs evaluate(Function function, const Pairs& inputs) {
   const gpu::BindingSet set(device, layout, bindings);
   const std::vector<std::uint32_t> code = read_words(FACET_TEST_KERNELS "/elementary.spv");
   const std::vector<std::uint32_t> constants{function};
-  const auto pipeline = gpu::make_compute_pipeline(device, layout, code, constants, "elementary");
+  const auto pipeline = gpu::make_compute_pipeline(
+      device, layout, gpu::specialise(code, constants, "elementary"), "elementary");
   device.run([&](const vk::raii::CommandBuffer& c) {
     c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
     c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline(), 0, set.handle(), {});

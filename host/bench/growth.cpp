@@ -1,0 +1,80 @@
+#include "bench/growth.h"
+
+#include "bench/mesh.h"
+#include "render/renderer.h"
+
+namespace facet::bench {
+
+namespace {
+
+/// One frame, ready to be rendered again and again.
+class Frame {
+ public:
+  Frame(gpu::Device& device, std::size_t emitters, int size, std::uint32_t samples) : device_(device) {
+    Scene scene = generate_scene(10'000, emitters);
+    scene.integrator.type = find_integrator_type("direct_mis").value();
+    scene.camera.width = scene.camera.height = size;
+    settings_.crop = {0, 0, size, size};
+    settings_.end_sample = samples;
+    packed_ = pack_scene(scene);
+    features_ = find_features(scene, settings_);
+  }
+
+  double seconds() {
+    Renderer renderer(device_, packed_, features_, settings_);
+    renderer.render([](double /*done*/, const RenderStatistics& /*so_far*/) { return true; });
+    return renderer.statistics().render_seconds;
+  }
+
+ private:
+  gpu::Device& device_;
+  RenderSettings settings_;
+  PackedScene packed_;
+  Features features_;
+};
+
+class Series {
+ public:
+  explicit Series(std::string of) : of_(std::move(of)) {}
+
+  void add(double number, Frame frame) { frames_.push_back({number, std::move(frame), {}}); }
+
+  GrowthSeries measure(int repeats) {
+    // The first round is not counted.
+    for (int round = 0; round <= repeats; ++round) {
+      for (Entry& e : frames_) {
+        const double seconds = e.frame.seconds();
+        if (round > 0) e.seconds.push_back(seconds);
+      }
+    }
+    GrowthSeries series{of_, {}};
+    for (const Entry& e : frames_) series.points.push_back({e.number, summarise(e.seconds)});
+    return series;
+  }
+
+ private:
+  struct Entry {
+    double number;
+    Frame frame;
+    std::vector<double> seconds;
+  };
+
+  std::string of_;
+  std::vector<Entry> frames_;
+};
+
+}  // namespace
+
+std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats) {
+  Series pixels("pixels");
+  for (const int size : {64, 128, 256, 512, 1024})
+    pixels.add(static_cast<double>(size) * size, Frame(device, 1, size, 8));
+  Series samples("samples a pixel");
+  for (const std::uint32_t count : {1U, 4U, 16U, 64U, 256U}) samples.add(count, Frame(device, 1, 128, count));
+  Series emitters("emitters");
+  for (const std::size_t count : {1U, 4U, 16U, 64U, 256U, 1024U, 4096U})
+    emitters.add(static_cast<double>(count), Frame(device, count, 256, 16));
+  return {pixels.measure(repeats), samples.measure(repeats), emitters.measure(repeats)};
+}
+
+}  // namespace facet::bench
