@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
-#include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -31,8 +31,7 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// Calls body(keyword, rest) for every line that has a word; returns the number of lines. `line` counts
-/// along.
+/// Calls body(keyword, rest) for every line that has a word; `line` counts those that are done.
 template <typename Body>
 void for_each_line(std::string_view text, long long& line, const Body& body) {
   for (; !text.empty(); ++line) {
