@@ -34,11 +34,11 @@ void expect_silent_validation() {
   for (; heard < messages.size(); ++heard) ADD_FAILURE() << "validation: " << messages[heard];
 }
 
-Rendered render(const Scene& scene, const PackedScene& packed, const RenderSettings& settings) {
+Rendered render(const PackedScene& packed, const Features& features, const RenderSettings& settings) {
   gpu::Device device = make_device();
   Rendered result;
   {
-    Renderer renderer(device, packed, find_features(scene, settings), settings);
+    Renderer renderer(device, packed, features, settings);
     renderer.render([](double, const RenderStatistics&) { return true; });
     result.statistics = renderer.statistics();
     result.film = renderer.film();

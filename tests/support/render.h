@@ -19,7 +19,12 @@ struct Rendered {
 [[nodiscard]] RenderSettings whole_image(const Scene& scene, int spp);
 
 /// Renders and expects that no sample was bad, no bound was hit, and the validation layers kept silent.
-[[nodiscard]] Rendered render(const Scene& scene, const PackedScene& packed, const RenderSettings& settings);
+[[nodiscard]] Rendered render(const PackedScene& packed, const Features& features,
+                              const RenderSettings& settings);
+[[nodiscard]] inline Rendered render(const Scene& scene, const PackedScene& packed,
+                                     const RenderSettings& settings) {
+  return render(packed, find_features(scene, settings), settings);
+}
 [[nodiscard]] inline Rendered render(const Scene& scene, const RenderSettings& settings) {
   return render(scene, pack_scene(scene), settings);
 }

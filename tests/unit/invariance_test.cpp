@@ -49,6 +49,26 @@ TEST(Invariance, storage_buffers_change_no_bit) {
   expect_equal_bits(texels.film, render(scene, settings).film);
 }
 
+TEST(Invariance, kernels_with_everything_in_change_no_bit) {
+  std::vector<Scene> scenes{busy_scene()};
+  for (const char* name :
+       {"cbox/cbox_conductors_mis.xml", "serapis/serapis_rough_mis.xml", "whitted/whitted.xml"}) {
+    scenes.push_back(load_scene(name));
+    scenes.back().camera.width = 40;
+    scenes.back().camera.height = 30;
+  }
+  for (const Scene& scene : scenes) {
+    SCOPED_TRACE(scene.integrator.type.name);
+    const PackedScene packed = pack_scene(scene);
+    const RenderSettings settings = whole_image(scene, 4);
+    const Features features = find_features(scene, settings);
+    const Rendered own = render(packed, features, settings);
+    const Rendered everything = render(packed, features.with_everything(), settings);
+    EXPECT_GT(everything.statistics.kernel_instructions, own.statistics.kernel_instructions);
+    expect_equal_bits(own.film, everything.film);
+  }
+}
+
 TEST(Invariance, crop_changes_no_bit) {
   const Scene scene = busy_scene();
   RenderSettings settings = whole_image(scene, 4);

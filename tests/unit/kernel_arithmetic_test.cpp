@@ -33,19 +33,14 @@ std::array<std::array<std::uint32_t, shared::SPEC_COUNT>, 2> example_constants()
   Features little;
   little.bsdf_mask = 1;
   little.emitter_mask = 1;
-  auto everything = little.constants(shared::LARGEST_STACK_SIZE);
-  for (const std::uint32_t mask :
-       {shared::SPEC_BSDF_MASK, shared::SPEC_EMITTER_MASK, shared::SPEC_BSDF_FLAGS_SOME})
-    everything[mask] = ~0U;
+  auto everything = little.with_everything().constants(shared::LARGEST_STACK_SIZE);
   for (const std::uint32_t flag :
-       {shared::SPEC_SHADING_NORMALS, shared::SPEC_EMITTER_SAMPLING, shared::SPEC_MATERIAL_SAMPLING,
-        shared::SPEC_VISIBLE_NORMALS, shared::SPEC_POWER_HEURISTIC, shared::SPEC_ROULETTE,
-        shared::SPEC_VARIANCE, shared::SPEC_SAMPLER, shared::SPEC_NEGATIVE_FILTER,
+       {shared::SPEC_EMITTER_SAMPLING, shared::SPEC_MATERIAL_SAMPLING, shared::SPEC_VISIBLE_NORMALS,
+        shared::SPEC_POWER_HEURISTIC, shared::SPEC_ROULETTE, shared::SPEC_VARIANCE, shared::SPEC_SAMPLER,
         shared::SPEC_CAMERA_BOUNCE}) {
     everything[flag] = 1;
   }
   everything[shared::SPEC_INTEGRATOR] = 3;
-  everything[shared::SPEC_TEXTURE_KINDS] = 3;
   return {little.constants(4), everything};
 }
 
