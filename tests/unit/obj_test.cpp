@@ -92,6 +92,30 @@ TEST_F(ObjTest, PolygonsThatWindInwardsKeepTheirArea) {
   EXPECT_NEAR(area(comb), (5 + 3 + 3 + 1.5) * std::numbers::sqrt2, 1e-5);
 }
 
+TEST_F(ObjTest, PolygonsMayHaveHolesBehindASlit) {
+  // A square of side 3 with a square hole of side 1; two corners are met twice.
+  const Mesh frame = read(
+      "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n"
+      "f 1 2 3 4 1 5 6 7 8 5\n");
+  EXPECT_EQ(frame.position_indices.size(), 8U);
+  EXPECT_NEAR(area(frame), 8, 1e-5);
+}
+
+TEST_F(ObjTest, PolygonsOfVeryManyCornersTakeNoTime) {
+  constexpr int corners = 30'000;
+  std::string circle;
+  std::string line;
+  std::string face = "f";
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    circle += fmt::format("v {} {} 0\n", std::cos(angle), std::sin(angle));
+    line += fmt::format("v {} 0 0\n", i);
+    face += fmt::format(" {}", i + 1);
+  }
+  EXPECT_NEAR(area(read(circle + face + "\n")), std::numbers::pi, 1e-4);
+  EXPECT_EQ(area(read(line + face + "\n")), 0);
+}
+
 /// Large enough for several portions.
 TEST_F(ObjTest, LargeFilesAreReadAsSmallOnes) {
   constexpr int count = 100'000;

@@ -1,5 +1,6 @@
 #include "scene/mesh/triangulate.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace facet {
@@ -23,14 +24,22 @@ class EarClipper {
   explicit EarClipper(std::span<const vec3> polygon)
       : polygon_(polygon), normal_(area_vector(polygon)), left_(polygon.size()) {
     std::iota(left_.begin(), left_.end(), 0U);
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      if (!is_convex(at(i))) reflex_.push_back(left_[i]);
+    }
   }
 
   std::vector<Triangle> clip() {
     std::vector<Triangle> triangles;
+    std::size_t i = 0;
+    // Without an ear left the polygon crosses itself, or has no area: then corners are clipped as they come.
+    bool has_ears = true;
     while (left_.size() > 3) {
-      const std::size_t ear = find_ear();
-      triangles.push_back(at(ear));
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+      if (has_ears) has_ears = find_ear(i);
+      triangles.push_back(at(i));
+      std::erase(reflex_, left_[i]);
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i % left_.size();
     }
     triangles.push_back(at(1));
     return triangles;
@@ -42,21 +51,25 @@ class EarClipper {
     return {left_[i > 0 ? i - 1 : left_.size() - 1], left_[i], left_[i + 1 < left_.size() ? i + 1 : 0]};
   }
 
-  /// A corner whose triangle holds no other; any where there is none.
-  [[nodiscard]] std::size_t find_ear() const {
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      if (is_ear(at(i))) return i;
+  /// Moves i on to a corner whose triangle holds no other; returns whether there is one.
+  [[nodiscard]] bool find_ear(std::size_t& i) const {
+    for (std::size_t tried = 0; tried < left_.size(); ++tried, i = (i + 1) % left_.size()) {
+      if (is_ear(at(i))) return true;
     }
-    return 0;
+    return false;
   }
 
+  [[nodiscard]] bool is_convex(const Triangle& t) const { return side(t[0], t[1], t[2]) > 0; }
+
   [[nodiscard]] bool is_ear(const Triangle& t) const {
-    if (!(side(t[0], t[1], t[2]) > 0)) return false;
-    for (const std::uint32_t p : left_) {
-      if (p == t[0] || p == t[1] || p == t[2]) continue;
-      if (side(t[0], t[1], p) >= 0 && side(t[1], t[2], p) >= 0 && side(t[2], t[0], p) >= 0) return false;
-    }
-    return true;
+    // None but reflex corners can be the first to enter a triangle.
+    return is_convex(t) && std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t p) {
+             // A corner where two others meet, as at the slit that joins a hole to its outline, is not in the
+             // way.
+             const auto is_there = [&](std::uint32_t corner) { return polygon_[corner] == polygon_[p]; };
+             return std::none_of(t.begin(), t.end(), is_there) && side(t[0], t[1], p) >= 0 &&
+                    side(t[1], t[2], p) >= 0 && side(t[2], t[0], p) >= 0;
+           });
   }
 
   /// Positive where corner c is on the inner side of the line from a to b.
@@ -67,6 +80,7 @@ class EarClipper {
   std::span<const vec3> polygon_;
   dvec3 normal_;
   std::vector<std::uint32_t> left_;
+  std::vector<std::uint32_t> reflex_;  ///< of these, those that were at the start
 };
 
 /// Along the shorter diagonal, unless that leaves the quadrilateral.
