@@ -185,6 +185,29 @@ TEST(Traversal, pairs_of_triangles_in_every_order) {
   expect_right_hits(scene, 1e-4, 3000);
 }
 
+TEST(Traversal, triangles_name_their_meshes_even_in_pairs_of_two_meshes) {
+  Scene scene = make_scene("normals");
+  // Squares in a row, the halves of each in two meshes, and a triangle apart.
+  std::array<std::vector<vec3>, 2> halves;
+  for (int i = 0; i < 20; ++i) {
+    const vec3 at(2.0F * static_cast<float>(i), 0, 0);
+    for (const vec3& c : {vec3(0, 0, 0), vec3(1, 0, 0), vec3(1, 1, 0)}) halves[0].push_back(at + c);
+    for (const vec3& c : {vec3(0, 0, 0), vec3(1, 1, 0), vec3(0, 1, 0)}) halves[1].push_back(at + c);
+  }
+  for (const std::vector<vec3>& half : halves) add_mesh(scene, make_mesh(half), bsdf::Diffuse{});
+  add_mesh(scene, make_mesh({{0, 5, 0}, {1, 5, 0}, {0, 6, 0}}), bsdf::Diffuse{});
+  const PackedScene packed = pack_scene(scene);
+  ASSERT_EQ(packed.triangle_count(), 41U);
+  std::size_t mixed_pairs = 0;
+  for (const std::uint32_t place : packed.bvh.places) {
+    const shared::PairRecord& pair = packed.bvh.pairs[place / 2];
+    const std::uint32_t mesh = place % 2 == 0 ? pair.mesh0 : pair.mesh1;
+    EXPECT_EQ(mesh, packed.scene_index(place) / 20);
+    mixed_pairs += pair.name1 != 0 && pair.mesh0 != pair.mesh1 ? 1 : 0;
+  }
+  EXPECT_GT(mixed_pairs, 20U);
+}
+
 TEST(Traversal, a_thousand_coincident_triangles) {
   Scene scene = make_scene("normals");
   std::vector<vec3> corners;
