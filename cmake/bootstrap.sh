@@ -6,7 +6,7 @@
 # folder: images are written to the folder it is called from. A second run takes seconds.
 set -eu
 
-packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools libglm-dev
+packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools spirv-headers libglm-dev
   libopenexr-dev libpng-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
 test_packages="chromium" # looks at the pages that facet writes
 

@@ -1,6 +1,7 @@
 # Everything facet is built from, all in Debian 12's packages (cmake/bootstrap.sh installs them).
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
+find_package(SPIRV-Headers REQUIRED)
 find_package(SPIRV-Tools REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
 find_package(glm REQUIRED)

@@ -1,31 +1,25 @@
 // Build tool: decorates every float operation of the compiled kernels with NoContraction, the state of paths
-// with Aliased, and embeds the result in a C++ file.
+// with Aliased, simplifies them, and embeds the result in a C++ file.
 //     embed_kernels OUT.cpp NAME=IN.spv=OUT.spv...
 // A kernel's names are KERNEL_texel and KERNEL_storage, or KERNEL_any where it sees no geometry.
 // Without the decoration drivers reassociate and fuse float operations, each in its own way, and images
 // differ between them. GLSL's `precise` does not reach into called functions, so it is done here, on the
 // finished SPIR-V. GLSL has no word for two bindings of one memory (shaders/lib/records.glsl), which SPIR-V
 // forbids undeclared.
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <spirv-tools/optimizer.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "gpu/spirv_module.h"
 #include "shared/bindings.h"
 
 namespace {
 
 using Words = std::vector<std::uint32_t>;
-
-constexpr std::uint32_t spirv_magic = 0x07230203;
-constexpr std::size_t header_words = 5;
-constexpr std::uint32_t op_decorate = 71;
-constexpr std::uint32_t decoration_aliased = 20;
-constexpr std::uint32_t decoration_binding = 33;
-constexpr std::uint32_t decoration_no_contraction = 42;
 
 /// Whether a binding is of records that kernels write as storage and read as texels.
 bool is_bound_twice(std::uint32_t binding) {
@@ -34,24 +28,50 @@ bool is_bound_twice(std::uint32_t binding) {
          (binding >= BINDING_RAY_TEXELS && binding <= BINDING_FILM_SQUARES_TEXELS);
 }
 
-/// SPIR-V opcodes of float arithmetic, all of which NoContraction may decorate.
-bool is_float_arithmetic(std::uint32_t opcode) {
-  // FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod; VectorTimesScalar .. OuterProduct, Dot
-  constexpr std::array<std::uint32_t, 14> opcodes{127, 129, 131, 133, 136, 140, 141,
-                                                  142, 143, 144, 145, 146, 147, 148};
-  for (const std::uint32_t o : opcodes) {
-    if (o == opcode) return true;
+/// Float arithmetic, all of which NoContraction may decorate.
+bool is_float_arithmetic(spv::Op opcode) {
+  switch (opcode) {
+    case spv::OpFNegate:
+    case spv::OpFAdd:
+    case spv::OpFSub:
+    case spv::OpFMul:
+    case spv::OpFDiv:
+    case spv::OpFRem:
+    case spv::OpFMod:
+    case spv::OpVectorTimesScalar:
+    case spv::OpMatrixTimesScalar:
+    case spv::OpVectorTimesMatrix:
+    case spv::OpMatrixTimesVector:
+    case spv::OpMatrixTimesMatrix:
+    case spv::OpOuterProduct:
+    case spv::OpDot:
+      return true;
+    default:
+      return false;
   }
-  return false;
 }
 
 /// Instructions that come before decorations in a module's layout, debug instructions and names included.
-bool precedes_decorations(std::uint32_t opcode) {
-  constexpr std::array<std::uint32_t, 14> opcodes{17, 10, 11, 14, 15, 16, 331, 7, 3, 2, 4, 5, 6, 330};
-  for (const std::uint32_t o : opcodes) {
-    if (o == opcode) return true;
+bool precedes_decorations(spv::Op opcode) {
+  switch (opcode) {
+    case spv::OpCapability:
+    case spv::OpExtension:
+    case spv::OpExtInstImport:
+    case spv::OpMemoryModel:
+    case spv::OpEntryPoint:
+    case spv::OpExecutionMode:
+    case spv::OpExecutionModeId:
+    case spv::OpString:
+    case spv::OpSource:
+    case spv::OpSourceContinued:
+    case spv::OpSourceExtension:
+    case spv::OpName:
+    case spv::OpMemberName:
+    case spv::OpModuleProcessed:
+      return true;
+    default:
+      return false;
   }
-  return false;
 }
 
 Words read_words(const std::string& path) {
@@ -60,29 +80,48 @@ Words read_words(const std::string& path) {
   Words words(static_cast<std::size_t>(in.tellg()) / 4);
   in.seekg(0);
   in.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(words.size() * 4));
-  if (words.size() < header_words || words[0] != spirv_magic)
-    throw std::runtime_error(path + " is not SPIR-V");
   return words;
 }
 
 Words decorate(const Words& in) {
+  const auto instructions = facet::gpu::spirv::parse(in);
+  if (instructions.empty()) throw std::runtime_error("not SPIR-V");
   Words decorations;
-  std::size_t insert_at = header_words;
-  for (std::size_t i = header_words; i < in.size(); i += in[i] >> 16U) {
-    const std::uint32_t opcode = in[i] & 0xffffU;
-    if ((in[i] >> 16U) == 0) throw std::runtime_error("broken SPIR-V");
-    if (precedes_decorations(opcode)) insert_at = i + (in[i] >> 16U);
-    if (opcode == op_decorate && in[i + 2] == decoration_binding && is_bound_twice(in[i + 3])) {
-      decorations.insert(decorations.end(), {(3U << 16U) | op_decorate, in[i + 1], decoration_aliased});
-    }
-    if (is_float_arithmetic(opcode)) {
-      decorations.insert(decorations.end(),
-                         {(3U << 16U) | op_decorate, in[i + 2], decoration_no_contraction});
-    }
+  const auto add = [&](std::uint32_t id, spv::Decoration decoration) {
+    decorations.insert(decorations.end(), {facet::gpu::spirv::first_word(spv::OpDecorate, 3), id,
+                                           static_cast<std::uint32_t>(decoration)});
+  };
+  std::size_t insert_at = 0;
+  std::size_t end = facet::gpu::spirv::header_words;
+  for (const auto& i : instructions) {
+    end += i.words.size();
+    if (precedes_decorations(i.opcode())) insert_at = end;
+    if (i.opcode() == spv::OpDecorate && i.words[2] == spv::DecorationBinding && is_bound_twice(i.words[3]))
+      add(i.words[1], spv::DecorationAliased);
+    if (is_float_arithmetic(i.opcode())) add(i.result(), spv::DecorationNoContraction);
   }
   Words out(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(insert_at));
   out.insert(out.end(), decorations.begin(), decorations.end());
   out.insert(out.end(), in.begin() + static_cast<std::ptrdiff_t>(insert_at), in.end());
+  return out;
+}
+
+/// Turns variables into values and equal values into one, as far as can be done before
+/// specialization, which follows values alone. What is done here need not be done at each start.
+Words simplify(const Words& in) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.RegisterPass(spvtools::CreateScalarReplacementPass(100))
+      .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+      .RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateRedundancyEliminationPass())
+      .RegisterPass(spvtools::CreateBlockMergePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass());
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);
+  Words out;
+  if (!optimizer.Run(in.data(), in.size(), &out, options)) throw std::runtime_error("cannot be simplified");
   return out;
 }
 
@@ -133,7 +172,7 @@ void run(int argc, char** argv) {
     const std::size_t second = argument.rfind('=');
     if (first == std::string::npos || first == second) throw std::runtime_error("bad argument " + argument);
     const std::string name = argument.substr(0, first);
-    const Words words = decorate(read_words(argument.substr(first + 1, second - first - 1)));
+    const Words words = simplify(decorate(read_words(argument.substr(first + 1, second - first - 1))));
     write_words(argument.substr(second + 1), words);
     write_array(out, name, words);
     names.push_back(name);

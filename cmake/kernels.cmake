@@ -3,8 +3,9 @@
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
-add_executable(embed_kernels ${CMAKE_CURRENT_LIST_DIR}/embed_kernels.cpp)
-target_link_libraries(embed_kernels PRIVATE facet_shared facet_warnings)
+add_executable(embed_kernels ${CMAKE_CURRENT_LIST_DIR}/embed_kernels.cpp ${CMAKE_SOURCE_DIR}/host/gpu/spirv_module.cpp)
+target_include_directories(embed_kernels PRIVATE ${CMAKE_SOURCE_DIR}/host)
+target_link_libraries(embed_kernels PRIVATE facet_shared facet_warnings SPIRV-Headers::SPIRV-Headers SPIRV-Tools-opt)
 
 set(FACET_KERNELS bounce schedule film camera closest any)
 # They see no geometry, and read one BSDF from a storage buffer.

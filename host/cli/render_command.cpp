@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <future>
 #include <memory>
 
 #include "cli/commands.h"
@@ -30,7 +31,6 @@ class RenderJob {
   ExitCode run() {
     catch_interrupts();
     check_outputs(outcome_.files, options_.json);
-    load();
     const bool silent = options_.backend == "reference" ? render_reference() : render_on_device();
     outcome_.interrupted = was_interrupted();
     write();
@@ -59,7 +59,12 @@ class RenderJob {
 
   /// Returns whether the validation layers, if on, had nothing to say.
   bool render_on_device() {
-    const gpu::Instance instance(options_.validate);
+    // Drivers take longer to load than most scenes; what is wrong with the scene is said first.
+    auto loading_drivers = std::async(
+        std::launch::async, [&] { return std::make_unique<const gpu::Instance>(options_.validate); });
+    load();
+    const std::unique_ptr<const gpu::Instance> drivers = loading_drivers.get();
+    const gpu::Instance& instance = *drivers;
     gpu::Device device(instance, instance.choose(options_.device));
     outcome_.device = device.info().name;
     outcome_.driver = device.info().driver;
@@ -84,6 +89,7 @@ class RenderJob {
   }
 
   bool render_reference() {
+    load();
     const bool in_double = options_.precision == "double";
     outcome_.device = in_double ? "CPU reference in double" : "CPU reference in float";
     outcome_.driver = "none";

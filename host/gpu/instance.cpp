@@ -38,17 +38,10 @@ bool has_layer(const vk::raii::Context& context, const char* name) {
                      [&](const auto& l) { return std::string_view(l.layerName) == name; });
 }
 
-bool has_extension(const vk::raii::Context& context, const char* name) {
-  const auto list = context.enumerateInstanceExtensionProperties();
-  return std::any_of(list.begin(), list.end(),
-                     [&](const auto& e) { return std::string_view(e.extensionName) == name; });
-}
-
 vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate) {
   const vk::ApplicationInfo application("facet", 1, "facet", 1, minimum_vulkan_version);
   std::vector<const char*> layers;
   std::vector<const char*> extensions;
-  vk::InstanceCreateFlags flags;
   if (validate) {
     if (!has_layer(context, validation_layer)) {
       throw DeviceError("no validation layers: install the package vulkan-validationlayers");
@@ -56,13 +49,17 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate
     layers.push_back(validation_layer);
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   }
-  // Drivers that translate to another API are listed only on request.
-  if (has_extension(context, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
-    extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
-    flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
-  }
   try {
-    return {context, vk::InstanceCreateInfo(flags, &application, layers, extensions)};
+    // Drivers that translate to another API are listed only on request. Old loaders refuse it; to ask them
+    // beforehand would load and unload every driver once more.
+    std::vector<const char*> all = extensions;
+    all.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    try {
+      return {context, vk::InstanceCreateInfo(vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR,
+                                              &application, layers, all)};
+    } catch (const vk::ExtensionNotPresentError&) {
+      return {context, vk::InstanceCreateInfo({}, &application, layers, extensions)};
+    }
   } catch (const vk::SystemError& e) {
     throw DeviceError(fmt::format("no usable Vulkan driver ({}): {}", e.what(), driver_hint));
   }

@@ -42,7 +42,6 @@ class Renderer {
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel, std::uint32_t pixel_count,
                                std::uint32_t first_sample, std::uint32_t sample_count) const;
   void run_wave(const Wave& wave);
-  void warm_up();
 
   gpu::Device& device_;
   RenderSettings settings_;

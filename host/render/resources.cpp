@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/parallel.h"
-#include "gpu/specialise.h"
 
 namespace facet {
 
@@ -101,8 +99,6 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
                                const RenderSettings& settings)
     : device_(device),
-      features_(features),
-      stack_size_(packed.bvh.stack_size),
       rounds_(features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size()) : 1),
       variance_(features.variance),
       pixel_count_(crop_pixels(settings.crop)),
@@ -120,40 +116,10 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
       queues_(make_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
       counters_(device, shared::COUNTER_WORDS * sizeof(std::uint32_t),
                 Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters"),
-      schedule_(make_pipeline(Kernel::schedule)),
-      film_kernel_(make_pipeline(Kernel::film)) {
-  make_bounce_kernels();
+      kernels_(device, layout_, features, packed.bvh.stack_size, geometry_.fetch()) {
   make_film();
   bind_everything();
   if (settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
-}
-
-vk::raii::Pipeline Renderer::Resources::make_pipeline(Kernel kernel, BounceKind kind) const {
-  auto constants = features_.constants(stack_size_);
-  constants[shared::SPEC_CAMERA_BOUNCE] = kind.camera ? 1 : 0;
-  constants[shared::SPEC_LAST_BOUNCE] = kind.last ? 1 : 0;
-  const auto code = gpu::specialise(kernel_code(kernel, geometry_.fetch()), constants, kernel_name(kernel));
-  instructions_ += gpu::instruction_count(code);
-  return gpu::make_compute_pipeline(device_, layout_, code, kernel_name(kernel));
-}
-
-Renderer::Resources::BounceKind Renderer::Resources::kind_of(std::uint32_t bounce) const {
-  return {bounce == 0, features_.is_last_bounce(bounce)};
-}
-
-std::optional<vk::raii::Pipeline>& Renderer::Resources::bounce_kernel(BounceKind kind) {
-  return bounce_kernels_[(kind.camera ? 1U : 0U) + (kind.last ? 2U : 0U)];
-}
-
-void Renderer::Resources::make_bounce_kernels() {
-  const std::uint32_t limit = features_.bounce_limit();
-  // The first, one in between, and the last, as far as there are such.
-  std::vector<BounceKind> kinds{kind_of(0)};
-  if (limit != 1) kinds.push_back(kind_of(1));
-  if (limit > 2 && kind_of(limit - 1).last && !kind_of(1).last) kinds.push_back(kind_of(limit - 1));
-  parallel_for(kinds.size(), 1, [&](std::size_t i, std::size_t /*end*/) {
-    bounce_kernel(kinds[i]).emplace(make_pipeline(Kernel::bounce, kinds[i]));
-  });
 }
 
 void Renderer::Resources::make_film() {
@@ -236,12 +202,12 @@ void Renderer::Resources::read_clock(std::span<double> seconds) {
 
 void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
                                         const shared::PassConstants& constants) {
-  use(c, schedule_, constants);
+  use(c, kernels_.schedule(), constants);
   c.dispatch(1, 1, 1);
   gpu::barrier(c);
   shared::PassConstants round = constants;
   for (round.emitter = 0; round.emitter < rounds_; ++round.emitter) {
-    use(c, bounce_kernel(kind_of(constants.bounce)).value(), round);
+    use(c, kernels_.bounce(constants.bounce), round);
     c.dispatchIndirect(counters_.handle(), shared::INDIRECT_PATHS * sizeof(std::uint32_t));
     gpu::barrier(c);
   }
@@ -252,7 +218,7 @@ void Renderer::Resources::record_film(const vk::raii::CommandBuffer& c, shared::
   for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
     constants.film_begin = k;
     constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
-    use(c, film_kernel_, constants);
+    use(c, kernels_.film(), constants);
     c.dispatch(workgroups(constants.pixel_count), 1, 1);
     gpu::barrier(c);
   }
@@ -261,25 +227,22 @@ void Renderer::Resources::record_film(const vk::raii::CommandBuffer& c, shared::
 
 void Renderer::Resources::record_camera_rays(const vk::raii::CommandBuffer& c,
                                              const shared::PassConstants& constants) {
-  if (!camera_) camera_.emplace(make_pipeline(Kernel::camera));
-  use(c, *camera_, constants);
+  use(c, kernels_.camera(), constants);
   c.dispatch(workgroups(constants.pixel_count), 1, 1);
   gpu::barrier(c);
 }
 
-void Renderer::Resources::record_nothing(const vk::raii::CommandBuffer& c) const {
-  shared::PassConstants nothing{};
-  nothing.pixel_count = 1;
-  const auto record = [&](const vk::raii::Pipeline& pipeline) {
-    use(c, pipeline, nothing);
-    c.dispatch(1, 1, 1);
-    gpu::barrier(c);
-  };
-  record(schedule_);
-  for (const std::optional<vk::raii::Pipeline>& kernel : bounce_kernels_) {
-    if (kernel) record(*kernel);
-  }
-  record(film_kernel_);
+void Renderer::Resources::compile_kernels() {
+  kernels_.compile([this](const vk::raii::Pipeline& kernel) {
+    device_.run([&](const vk::raii::CommandBuffer& c) {
+      shared::PassConstants nothing{};
+      nothing.pixel_count = 1;
+      bind(c, 0);
+      clear_counters(c, 0);
+      use(c, kernel, nothing);
+      c.dispatch(1, 1, 1);
+    });
+  });
 }
 
 std::array<std::uint32_t, shared::COUNTER_WORDS> Renderer::Resources::read_counters() const {

@@ -1,7 +1,6 @@
 #pragma once
 // Everything a render keeps on the device: buffers, bindings, pipelines.
 #include <array>
-#include <atomic>
 #include <deque>
 #include <optional>
 #include <span>
@@ -11,7 +10,7 @@
 #include "gpu/pipeline.h"
 #include "gpu/stopwatch.h"
 #include "render/geometry_buffers.h"
-#include "render/kernels.h"
+#include "render/render_kernels.h"
 #include "render/renderer.h"
 
 namespace facet {
@@ -36,6 +35,9 @@ struct Renderer::Resources {
   Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
             const RenderSettings& settings);
 
+  /// To be called before any use of the kernels, which includes the drivers' compiling at a first dispatch.
+  void compile_kernels();
+
   /// Binds the buffers, with one piece of the film.
   void bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const;
   /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
@@ -46,8 +48,6 @@ struct Renderer::Resources {
   void record_film(const vk::raii::CommandBuffer& c, shared::PassConstants constants);
   /// The camera's rays alone.
   void record_camera_rays(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
-  /// Every kernel once, on a pass without work.
-  void record_nothing(const vk::raii::CommandBuffer& c) const;
 
   /// Where stages are timed: begins a submission; ends a stage of it; adds up what a finished one took.
   void start_clock(const vk::raii::CommandBuffer& c);
@@ -61,7 +61,7 @@ struct Renderer::Resources {
   [[nodiscard]] std::vector<shared::PathRecord> read_paths(std::uint32_t count) const;
 
   /// Of all kernels, in SPIR-V.
-  [[nodiscard]] std::uint64_t instruction_count() const { return instructions_; }
+  [[nodiscard]] std::uint64_t instruction_count() const { return kernels_.instruction_count(); }
 
   [[nodiscard]] std::uint32_t pixel_count() const { return pixel_count_; }
   [[nodiscard]] std::uint32_t slot_count() const { return slot_count_; }
@@ -70,15 +70,6 @@ struct Renderer::Resources {
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(std::size_t piece) const;
 
  private:
-  /// What a kernel for a bounce is specialised to.
-  struct BounceKind {
-    bool camera;
-    bool last;
-  };
-  [[nodiscard]] BounceKind kind_of(std::uint32_t bounce) const;
-  [[nodiscard]] std::optional<vk::raii::Pipeline>& bounce_kernel(BounceKind kind);
-  [[nodiscard]] vk::raii::Pipeline make_pipeline(Kernel kernel, BounceKind kind = {}) const;
-  void make_bounce_kernels();
   void use(const vk::raii::CommandBuffer& c, const vk::raii::Pipeline& pipeline,
            const shared::PassConstants& constants) const;
   void make_film();
@@ -87,9 +78,6 @@ struct Renderer::Resources {
   std::vector<gpu::Binding> with_texels(std::vector<gpu::Binding> bindings);
 
   gpu::Device& device_;
-  Features features_;
-  mutable std::atomic<std::uint64_t> instructions_ = 0;
-  std::uint32_t stack_size_;
   std::size_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   bool variance_;
   std::uint32_t pixel_count_;
@@ -108,10 +96,7 @@ struct Renderer::Resources {
   std::vector<gpu::Buffer> squares_;              ///< likewise; a single dummy without variance
   std::deque<vk::raii::BufferView> texel_views_;  ///< of what is bound as texels
   std::vector<gpu::BindingSet> sets_;             ///< one a piece
-  std::array<std::optional<vk::raii::Pipeline>, 4> bounce_kernels_;
-  vk::raii::Pipeline schedule_;
-  vk::raii::Pipeline film_kernel_;
-  std::optional<vk::raii::Pipeline> camera_;  ///< once asked for
+  RenderKernels kernels_;
   std::optional<gpu::Stopwatch> stopwatch_;
 };
 
