@@ -181,6 +181,11 @@ TEST_F(ObjTest, GroupsMaterialsAndLineEndingsDoNotMatter) {
   EXPECT_EQ(mesh.positions.at(1), vec3(1, 0, 0));
 }
 
+TEST_F(ObjTest, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  const Mesh mesh = read("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions.size(), 3U);
+}
+
 TEST_F(ObjTest, NormalsAreTransformedByTheInverseTranspose) {
   const dmat4 stretch = glm::scale(dmat4(1), dvec3(1, 4, 1));
   const Mesh mesh =
@@ -243,6 +248,7 @@ TEST_F(ObjTest, IndicesOutOfRangeNameTheLine) {
   expect_error(square + "f 1 2 3 4 5\n", 5, {});
   expect_error(square + "f 1 2 99999999999\n", 5, {});
   expect_error(square + "f 1 2 4294967297\n", 5, {});
+  expect_error(square + "f 1 2 -9223372036854775808\n", 5, {});
   expect_error(square + "f\t1 2 5\n", 5, {});
   expect_error("v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", 5, {});
 }

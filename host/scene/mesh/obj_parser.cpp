@@ -156,7 +156,7 @@ class PortionParser {
     if (error != std::errc{}) fail_corner(word);
     at = behind;
     if (i > 0 && i <= total) return static_cast<std::uint32_t>(i - 1);
-    if (i < 0 && -i <= before) return static_cast<std::uint32_t>(before + i);
+    if (i < 0 && i >= -before) return static_cast<std::uint32_t>(before + i);
     fail(fmt::format("index {} is out of range: there are {} {}", i, i < 0 ? before : total, what));
   }
 
@@ -170,6 +170,8 @@ class PortionParser {
 }  // namespace
 
 ObjText parse_obj(const std::filesystem::path& path, std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   const std::vector<std::string_view> portions = split_in_portions(text);
   std::vector<Counts> before(portions.size());
   parallel_for(portions.size(), 1,
