@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <optional>
 
 #include "core/error.h"
 #include "gpu/spirv_module.h"
@@ -11,43 +10,8 @@ namespace facet::gpu {
 
 namespace {
 
+using spirv::Constant;
 using spirv::Instruction;
-using Constant = std::optional<std::uint32_t>;  ///< bits of a 32-bit number, or a boolean
-
-/// The value of an operation on integers or booleans; none where it is not known, or the operation not one of
-/// those that conditions are made of.
-Constant evaluate(spv::Op opcode, Constant a, Constant b) {
-  // One operand may be enough.
-  if (opcode == spv::OpLogicalAnd && (a == 0U || b == 0U)) return 0U;
-  if (opcode == spv::OpLogicalOr && (a == 1U || b == 1U)) return 1U;
-  if (!a) return {};
-  if (opcode == spv::OpLogicalNot) return *a == 0 ? 1U : 0U;
-  if (!b) return {};
-  switch (opcode) {
-    case spv::OpLogicalAnd:
-    case spv::OpBitwiseAnd:
-      return *a & *b;
-    case spv::OpLogicalOr:
-    case spv::OpBitwiseOr:
-      return *a | *b;
-    case spv::OpIEqual:
-    case spv::OpLogicalEqual:
-      return *a == *b ? 1U : 0U;
-    case spv::OpINotEqual:
-    case spv::OpLogicalNotEqual:
-      return *a != *b ? 1U : 0U;
-    case spv::OpUGreaterThan:
-      return *a > *b ? 1U : 0U;
-    case spv::OpUGreaterThanEqual:
-      return *a >= *b ? 1U : 0U;
-    case spv::OpULessThan:
-      return *a < *b ? 1U : 0U;
-    case spv::OpULessThanEqual:
-      return *a <= *b ? 1U : 0U;
-    default:
-      return {};
-  }
-}
 
 /// One specialization of one module. Ids are indices of its tables.
 class Specialisation {
@@ -61,6 +25,8 @@ class Specialisation {
     value_.resize(bound);
     spec_id_.resize(bound, none);
     taken_.resize(bound, none);
+    continue_of_.resize(bound, none);
+    head_of_.resize(bound, none);
     is_live_block_.resize(bound);
     is_target_.resize(bound);
     for (std::size_t k = 0; k < module_.size(); ++k) {
@@ -98,56 +64,52 @@ class Specialisation {
 
   /// Up to the first function: gives the constants their values.
   void fix_constants() {
-    first_function_ = module_.size();
-    for (std::size_t k = 0; k < first_function_; ++k) {
-      Instruction& i = module_[k];
+    for (; first_function_ < module_.size(); ++first_function_) {
+      Instruction& i = module_[first_function_];
       const auto operands = i.operands();
-      Constant value;
-      switch (i.opcode()) {
-        case spv::OpFunction:
-          first_function_ = k;
-          continue;
-        case spv::OpDecorate:
-          if (operands[1] == spv::DecorationSpecId) spec_id_[operands[0]] = operands[2];
-          continue;
-        case spv::OpConstantFalse:
-          value_[i.result()] = 0;
-          continue;
-        case spv::OpConstantTrue:
-          value_[i.result()] = 1;
-          continue;
-        case spv::OpConstant:
-          if (operands.size() == 1) value_[i.result()] = operands[0];
-          continue;
-        case spv::OpSpecConstantFalse:
-          value = given(i).value_or(0) == 0 ? 0 : 1;
-          break;
-        case spv::OpSpecConstantTrue:
-          value = given(i).value_or(1) == 0 ? 0 : 1;
-          break;
-        case spv::OpSpecConstant:
-          value = given(i).value_or(operands[0]);
-          break;
-        case spv::OpSpecConstantOp:
-          value = evaluate_operation(static_cast<spv::Op>(operands[0]), operands.subspan(1));
-          if (!value) fail("it has a constant expression of an unexpected kind");
-          break;
-        case spv::OpSpecConstantComposite:
-          fail("it has a composite specialization constant");
-        default:
-          continue;
+      if (i.opcode() == spv::OpFunction) return;
+      if (i.opcode() == spv::OpDecorate && operands[1] == spv::DecorationSpecId)
+        spec_id_[operands[0]] = operands[2];
+      if (const Constant value = value_of_constant(i)) {
+        value_[i.result()] = value;
+        i = make_constant(i.words[1], i.result(), *value);
       }
-      value_[i.result()] = value;
-      i = make_constant(i.words[1], i.result(), *value);
     }
   }
 
-  [[nodiscard]] Constant evaluate_operation(spv::Op opcode, std::span<const std::uint32_t> operands) const {
+  /// None of other instructions, and of constants that are not 32 bits.
+  [[nodiscard]] Constant value_of_constant(const Instruction& i) const {
+    const auto operands = i.operands();
+    switch (i.opcode()) {
+      case spv::OpConstantFalse:
+        return 0;
+      case spv::OpConstantTrue:
+        return 1;
+      case spv::OpConstant:
+        return operands.size() == 1 ? Constant(operands[0]) : Constant();
+      case spv::OpSpecConstantFalse:
+        return given(i).value_or(0) == 0 ? 0 : 1;
+      case spv::OpSpecConstantTrue:
+        return given(i).value_or(1) == 0 ? 0 : 1;
+      case spv::OpSpecConstant:
+        return given(i).value_or(operands[0]);
+      case spv::OpSpecConstantOp:
+        if (const Constant value = value_of(static_cast<spv::Op>(operands[0]), operands.subspan(1)))
+          return value;
+        fail("it has a constant expression of an unexpected kind");
+      case spv::OpSpecConstantComposite:
+        fail("it has a composite specialization constant");
+      default:
+        return {};
+    }
+  }
+
+  [[nodiscard]] Constant value_of(spv::Op opcode, std::span<const std::uint32_t> operands) const {
     const auto value = [&](std::size_t k) {
       // Some operations have literal numbers among their operands.
       return k < operands.size() && operands[k] < value_.size() ? value_[operands[k]] : Constant();
     };
-    return evaluate(opcode, value(0), value(1));
+    return spirv::evaluate(opcode, value(0), value(1));
   }
 
   [[nodiscard]] Constant given(const Instruction& i) const {
@@ -196,9 +158,10 @@ class Specialisation {
         return;
       case spv::OpSelectionMerge:
         return;
-      // A loop leads back from there, whatever its body does.
+      // Live are those of its blocks that branches lead to.
       case spv::OpLoopMerge:
-        lead_to(operands[1], at);
+        continue_of_[block] = operands[1];
+        head_of_[operands[1]] = block;
         return;
       case spv::OpBranchConditional:
         // Not those of loops, which want their form.
@@ -213,7 +176,7 @@ class Specialisation {
         break;
     }
     for (const std::uint32_t label : spirv::labels_of(i)) lead_to(label, at);
-    if (i.result() != 0) value_[i.result()] = evaluate_operation(i.opcode(), operands);
+    if (i.result() != 0) value_[i.result()] = value_of(i.opcode(), operands);
   }
 
   void lead_to(std::uint32_t label, std::size_t at) {
@@ -260,7 +223,9 @@ class Specialisation {
           keep(i, block);
         } else if (i.opcode() == spv::OpLabel && is_target_[block]) {
           kept_.push_back(i);
-          kept_.push_back(make({}, spv::OpUnreachable));
+          // Every loop has a way back, even where nothing gets there.
+          const std::uint32_t head = head_of_[block];
+          kept_.push_back(head == none ? make({}, spv::OpUnreachable) : make({head}, spv::OpBranch));
         }
       }
     }
@@ -293,6 +258,9 @@ class Specialisation {
     for (std::size_t k = 0; k < operands.size(); k += 2) {
       if (comes(operands[k + 1], block)) words.insert(words.end(), {operands[k], operands[k + 1]});
     }
+    // A loop's way back that nothing takes brings what there was.
+    if (const std::uint32_t way_back = continue_of_[block]; way_back != none && !is_live_block_[way_back])
+      words.insert(words.end(), {phi.result(), way_back});
     words[0] = spirv::first_word(spv::OpPhi, words.size());
     return {words};
   }
@@ -311,10 +279,12 @@ class Specialisation {
   std::vector<Constant> value_;                  ///< of an id
   std::vector<std::uint32_t> spec_id_;           ///< of a specialization constant's id
   std::size_t first_function_ = 0;
-  std::vector<std::size_t> functions_;  ///< those called: where they begin
-  std::vector<bool> is_live_block_;     ///< by label
-  std::vector<bool> is_target_;         ///< functions called, and labels that live blocks name
-  std::vector<std::uint32_t> taken_;    ///< by a block's label: the one way on of a decided branch
+  std::vector<std::size_t> functions_;      ///< those called: where they begin
+  std::vector<bool> is_live_block_;         ///< by label
+  std::vector<bool> is_target_;             ///< functions called, and labels that live blocks name
+  std::vector<std::uint32_t> taken_;        ///< by a block's label: the one way on of a decided branch
+  std::vector<std::uint32_t> continue_of_;  ///< by the label of a loop's head
+  std::vector<std::uint32_t> head_of_;      ///< by the label of a loop's continue target
   std::vector<Instruction> kept_;
 };
 

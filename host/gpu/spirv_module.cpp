@@ -78,6 +78,39 @@ bool is_remark(const Instruction& i) {
          opcode == spv::OpMemberDecorate;
 }
 
+Constant evaluate(spv::Op opcode, Constant a, Constant b) {
+  // One operand may be enough.
+  if (opcode == spv::OpLogicalAnd && (a == 0U || b == 0U)) return 0U;
+  if (opcode == spv::OpLogicalOr && (a == 1U || b == 1U)) return 1U;
+  if (!a) return {};
+  if (opcode == spv::OpLogicalNot) return *a == 0 ? 1U : 0U;
+  if (!b) return {};
+  switch (opcode) {
+    case spv::OpLogicalAnd:
+    case spv::OpBitwiseAnd:
+      return *a & *b;
+    case spv::OpLogicalOr:
+    case spv::OpBitwiseOr:
+      return *a | *b;
+    case spv::OpIEqual:
+    case spv::OpLogicalEqual:
+      return *a == *b ? 1U : 0U;
+    case spv::OpINotEqual:
+    case spv::OpLogicalNotEqual:
+      return *a != *b ? 1U : 0U;
+    case spv::OpUGreaterThan:
+      return *a > *b ? 1U : 0U;
+    case spv::OpUGreaterThanEqual:
+      return *a >= *b ? 1U : 0U;
+    case spv::OpULessThan:
+      return *a < *b ? 1U : 0U;
+    case spv::OpULessThanEqual:
+      return *a <= *b ? 1U : 0U;
+    default:
+      return {};
+  }
+}
+
 std::vector<Instruction> without_unused(std::span<const Instruction> instructions, std::uint32_t bound) {
   constexpr std::size_t none = ~std::size_t{0};
   std::vector<std::size_t> definition(bound, none);

@@ -1,6 +1,7 @@
 #pragma once
 // SPIR-V as a list of instructions.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,13 @@ struct Instruction {
 
 /// The blocks that it leads to or, of a merge instruction, names.
 [[nodiscard]] std::vector<std::uint32_t> labels_of(const Instruction& i);
+
+/// Bits of a 32-bit number, or a boolean, where it is known.
+using Constant = std::optional<std::uint32_t>;
+
+/// The value of an operation on integers or booleans; none where it is not known, or the operation not one of
+/// those that conditions are made of.
+[[nodiscard]] Constant evaluate(spv::Op opcode, Constant a, Constant b);
 
 /// Empty where the code is none.
 [[nodiscard]] std::vector<Instruction> parse(std::span<const std::uint32_t> code);
