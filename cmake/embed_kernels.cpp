@@ -118,6 +118,10 @@ Words simplify(const Words& in) {
       .RegisterPass(spvtools::CreateRedundancyEliminationPass())
       .RegisterPass(spvtools::CreateBlockMergePass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass());
+  optimizer.SetMessageConsumer(
+      [](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+        std::fprintf(stderr, "embed_kernels: %s\n", message);
+      });
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);
   Words out;

@@ -13,7 +13,9 @@ namespace facet {
 class BvhPrimitive {
  public:
   BvhPrimitive() = default;
-  BvhPrimitive(const Box& box, std::uint32_t index) : box_{to_float4(box.lower), to_float4(box.upper)} {
+  /// Adding 0 leaves zeros of one sign alone, among which minima and maxima depend on no order.
+  BvhPrimitive(const Box& box, std::uint32_t index)
+      : box_{to_float4(box.lower) + Float4{}, to_float4(box.upper) + Float4{}} {
     box_.lower[3] = std::bit_cast<float>(index + bias);
   }
 

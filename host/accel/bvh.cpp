@@ -199,6 +199,14 @@ UnfilledVector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs
   return primitives;
 }
 
+/// Refuses a hierarchy of at least so many nodes if they are too many.
+void check_node_count(std::size_t nodes, std::size_t triangles) {
+  if (nodes <= shared::LARGEST_BLOCK_COUNT - 1) return;
+  throw InputError(fmt::format(
+      "the scene has {} triangles, too many: their BVH has at least {} nodes, and at most {} are supported",
+      triangles, nodes, shared::LARGEST_BLOCK_COUNT - 1));
+}
+
 }  // namespace
 
 std::array<vec3, 4> Bvh::corners(std::size_t item) const {
@@ -210,14 +218,6 @@ TriangleCorners Bvh::triangle(std::uint32_t place) const {
   const std::uint32_t name = place % 2 == 0 ? pairs[place / 2].name0 : pairs[place / 2].name1;
   const std::uint32_t vertices = name >> shared::NAME_INDEX_BITS;
   return {c[vertices & 3U], c[vertices >> 2U & 3U], c[vertices >> 4U]};
-}
-
-/// Refuses a hierarchy of at least so many nodes if they are too many.
-void check_node_count(std::size_t nodes, std::size_t triangles) {
-  if (nodes <= shared::LARGEST_BLOCK_COUNT - 1) return;
-  throw InputError(fmt::format(
-      "the scene has {} triangles, too many: their BVH has at least {} nodes, and at most {} are supported",
-      triangles, nodes, shared::LARGEST_BLOCK_COUNT - 1));
 }
 
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {

@@ -1,5 +1,7 @@
 #include "bench/growth.h"
 
+#include <optional>
+
 #include "bench/mesh.h"
 #include "render/renderer.h"
 
@@ -39,10 +41,12 @@ class Series {
 
   void add(double number, Frame frame) { frames_.push_back({number, std::move(frame), {}}); }
 
-  GrowthSeries measure(int repeats) {
+  /// Nothing where `go_on` ends it.
+  std::optional<GrowthSeries> measure(int repeats, const std::function<bool()>& go_on) {
     // The first round is not counted.
     for (int round = 0; round <= repeats; ++round) {
       for (Entry& e : frames_) {
+        if (!go_on()) return {};
         const double seconds = e.frame.seconds();
         if (round > 0) e.seconds.push_back(seconds);
       }
@@ -65,7 +69,8 @@ class Series {
 
 }  // namespace
 
-std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats) {
+std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats,
+                                         const std::function<bool()>& go_on) {
   Series pixels("pixels");
   for (const int size : {64, 128, 256, 512, 1024})
     pixels.add(static_cast<double>(size) * size, Frame(device, 1, size, 8));
@@ -74,7 +79,11 @@ std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats) {
   Series emitters("emitters");
   for (const std::size_t count : {1U, 4U, 16U, 64U, 256U, 1024U, 4096U})
     emitters.add(static_cast<double>(count), Frame(device, count, 256, 16));
-  return {pixels.measure(repeats), samples.measure(repeats), emitters.measure(repeats)};
+  std::vector<GrowthSeries> complete;
+  for (Series* series : {&pixels, &samples, &emitters}) {
+    if (const auto measured = series->measure(repeats, go_on)) complete.push_back(*measured);
+  }
+  return complete;
 }
 
 }  // namespace facet::bench

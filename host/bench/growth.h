@@ -1,5 +1,6 @@
 #pragma once
 // How the time of a frame grows with one number while all else stays.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct GrowthSeries {
 
 /// Renders a generated scene of 10,000 triangles with direct_mis: at sizes from 64x64 to 1024x1024 pixels,
 /// with 1 to 256 samples, and with its light parted into 1 to 4096 emitters, of which one is chosen by power.
-/// Each frame `repeats` times, all of a series in turn.
-[[nodiscard]] std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats);
+/// Each frame `repeats` times, all of a series in turn. Asks `go_on` before each frame; where it says no,
+/// those series come back that are complete.
+[[nodiscard]] std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats,
+                                                       const std::function<bool()>& go_on);
 
 }  // namespace facet::bench

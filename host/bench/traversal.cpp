@@ -111,7 +111,7 @@ class Contest {
   std::vector<char> occluded_;
 };
 
-/// Builds both trees afresh in turn. Each was built before, so that no memory is touched for the first time.
+/// Builds both trees afresh in turn. Each was built before.
 BuildRow measure_builds(const PackedScene& packed, Yardstick* yardstick, int repeats) {
   std::vector<TriangleCorners> triangles;
   for (const std::uint32_t place : packed.bvh.places) triangles.push_back(packed.bvh.triangle(place));

@@ -119,7 +119,8 @@ class BenchJob {
   }
 
   void grow() {
-    report_.growth = bench::measure_growth(device_, options_.traversal.repeats);
+    report_.growth =
+        bench::measure_growth(device_, options_.traversal.repeats, [] { return !was_interrupted(); });
     for (const bench::GrowthSeries& series : report_.growth) tell(text_of(series));
   }
 

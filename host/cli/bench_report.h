@@ -28,7 +28,8 @@ struct BenchReport {
 [[nodiscard]] std::string text_of(const bench::RenderRow& row);
 [[nodiscard]] std::string text_of(const bench::GrowthSeries& series);
 
-/// {"device", "driver", "threads", "yardstick", "traversal", "build", "render"}: rays in millions a second.
+/// {"device", "driver", "threads", "yardstick", "traversal", "build", "render", "growth"}: rays in millions a
+/// second.
 [[nodiscard]] std::string json_report(const BenchReport& report);
 
 }  // namespace facet::cli

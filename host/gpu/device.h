@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -24,8 +25,9 @@ struct DeviceInfo {
   int rank = 0;                    ///< preference among usable devices, larger first
 };
 
-/// What the validation layers said.
+/// What the validation layers said, in any thread that called Vulkan.
 struct ValidationLog {
+  std::mutex mutex;
   std::vector<std::string> messages;
 };
 

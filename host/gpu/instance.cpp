@@ -19,7 +19,9 @@ constexpr const char* driver_hint =
 VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                           VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
-  static_cast<ValidationLog*>(log)->messages.emplace_back(data->pMessage);
+  auto* const validation = static_cast<ValidationLog*>(log);
+  const std::scoped_lock lock(validation->mutex);
+  validation->messages.emplace_back(data->pMessage);
   return VK_FALSE;
 }
 

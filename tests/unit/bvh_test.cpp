@@ -104,6 +104,15 @@ TEST(TrianglePairs, long_triangles_that_fill_a_large_box_together_stay_apart) {
   EXPECT_EQ(share_joined(triangles), 0);
 }
 
+TEST(Bvh, zeros_of_both_signs_are_one) {
+  // Of both, the least would depend on their order, which threads change: all become positive.
+  const Triangles floor{{vec3(0, -0.0F, 0), vec3(1, -0.0F, 0), vec3(0, -0.0F, 1)},
+                        {vec3(5, -0.0F, 5), vec3(6, -0.0F, 5), vec3(5, -0.0F, 6)}};
+  const Bvh bvh = build_bvh(floor);
+  EXPECT_FALSE(std::signbit(bvh.bounds.lower.y));
+  EXPECT_FALSE(std::signbit(bvh.bounds.upper.y));
+}
+
 TEST(Bvh, gives_back_every_triangle_at_its_place_in_the_order_of_its_vertices) {
   // The last is large enough to be built on all cores.
   for (Triangles triangles : {make_field(20), make_soup(300), make_book(50), make_field(300)}) {

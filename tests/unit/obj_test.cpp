@@ -92,6 +92,13 @@ TEST_F(ObjTest, PolygonsThatWindInwardsKeepTheirArea) {
   EXPECT_NEAR(area(comb), (5 + 3 + 3 + 1.5) * std::numbers::sqrt2, 1e-5);
 }
 
+TEST_F(ObjTest, PolygonsOfAnySizeKeepTheirShape) {
+  // Differences of the largest coordinates overflow a float; a notch, not to be filled.
+  const std::string text =
+      "v -3e38 -3e38 0\nv 3e38 -3e38 0\nv 3e38 3e38 0\nv 0 2e38 0\nv -3e38 3e38 0\nf 1 2 3 4 5\n";
+  EXPECT_NEAR(area(read(text, glm::scale(dmat4(1), dvec3(1e-38)))), 36 - 3, 1e-5);
+}
+
 TEST_F(ObjTest, PolygonsMayHaveHolesBehindASlit) {
   // A square of side 3 with a square hole of side 1; two corners are met twice.
   const Mesh frame = read(
@@ -149,6 +156,12 @@ TEST_F(ObjTest, TrianglesOfAPolygonKeepItsOrientation) {
 TEST_F(ObjTest, NegativeIndicesCountFromTheEnd) {
   const Mesh mesh = read("v 9 9 9\n" + square + "f -4 -3 -2\nv 5 5 5\nf -1 1 2\n");
   EXPECT_EQ(mesh.position_indices, (std::vector<uvec3>{{1, 2, 3}, {5, 0, 1}}));
+}
+
+TEST_F(ObjTest, IndicesMayHaveASign) {
+  EXPECT_EQ(read(square + "f +1 +2 -1\n").position_indices, (std::vector<uvec3>{{0, 1, 3}}));
+  expect_error(square + "f +-1 2 3\n", 5, {"+-1"});
+  expect_error(square + "f + 2 3\n", 5, {});
 }
 
 TEST_F(ObjTest, EveryKindOfCornerMayBeMixed) {

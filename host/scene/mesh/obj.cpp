@@ -18,7 +18,8 @@ std::string read_text(const std::filesystem::path& path, const SourceLocation& w
     throw InputError(where, fmt::format("cannot read the mesh {}", path.string()));
   std::string text(std::filesystem::file_size(path), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (static_cast<std::size_t>(in.gcount()) != text.size())
+    throw InputError(where, fmt::format("cannot read all of the mesh {}", path.string()));
   return text;
 }
 

@@ -152,7 +152,9 @@ class PortionParser {
   std::uint32_t read_index(std::string_view word, const char*& at, long long before, long long total,
                            const char* what) const {
     long long i = 0;
-    const auto [behind, error] = std::from_chars(at, word.data() + word.size(), i);
+    const char* const end = word.data() + word.size();
+    if (end - at > 1 && at[0] == '+' && at[1] != '-') ++at;
+    const auto [behind, error] = std::from_chars(at, end, i);
     if (error != std::errc{}) fail_corner(word);
     at = behind;
     if (i > 0 && i <= total) return static_cast<std::uint32_t>(i - 1);

@@ -9,12 +9,15 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Of floats of any size, without overflow.
+dvec3 difference(const vec3& a, const vec3& b) { return dvec3(a) - dvec3(b); }
+
 /// Twice the polygon's area, as a normal (Newell's).
 dvec3 area_vector(std::span<const vec3> polygon) {
   dvec3 sum(0);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const vec3& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    sum += glm::cross(dvec3(polygon[i] - polygon.front()), dvec3(next - polygon.front()));
+    sum += glm::cross(difference(polygon[i], polygon.front()), difference(next, polygon.front()));
   }
   return sum;
 }
@@ -74,7 +77,8 @@ class EarClipper {
 
   /// Positive where corner c is on the inner side of the line from a to b.
   [[nodiscard]] double side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return glm::dot(glm::cross(dvec3(polygon_[b] - polygon_[a]), dvec3(polygon_[c] - polygon_[a])), normal_);
+    return glm::dot(glm::cross(difference(polygon_[b], polygon_[a]), difference(polygon_[c], polygon_[a])),
+                    normal_);
   }
 
   std::span<const vec3> polygon_;
@@ -86,14 +90,14 @@ class EarClipper {
 /// Along the shorter diagonal, unless that leaves the quadrilateral.
 std::vector<Triangle> triangulate_quadrilateral(std::span<const vec3> p) {
   const auto normal = [&](const Triangle& t) {
-    return glm::cross(dvec3(p[t[1]] - p[t[0]]), dvec3(p[t[2]] - p[t[0]]));
+    return glm::cross(difference(p[t[1]], p[t[0]]), difference(p[t[2]], p[t[0]]));
   };
   const auto is_inside = [&](const std::vector<Triangle>& halves) {
     return glm::dot(normal(halves[0]), normal(halves[1])) > 0;
   };
   const std::vector<Triangle> by02{{0, 1, 2}, {0, 2, 3}};
   const std::vector<Triangle> by13{{0, 1, 3}, {1, 2, 3}};
-  const bool is_02_shorter = glm::distance(p[0], p[2]) < glm::distance(p[1], p[3]);
+  const bool is_02_shorter = glm::length(difference(p[0], p[2])) < glm::length(difference(p[1], p[3]));
   const std::vector<Triangle>& shorter = is_02_shorter ? by02 : by13;
   const std::vector<Triangle>& longer = is_02_shorter ? by13 : by02;
   return is_inside(longer) && !is_inside(shorter) ? longer : shorter;
