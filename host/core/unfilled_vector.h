@@ -12,11 +12,6 @@ template <typename T>
 class UnfilledAllocator : public std::allocator<T> {
  public:
   template <typename U>
-  struct rebind {
-    using other = UnfilledAllocator<U>;
-  };
-
-  template <typename U>
   void construct(U* at) {
     ::new (static_cast<void*>(at)) U;
   }

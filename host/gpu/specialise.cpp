@@ -64,10 +64,10 @@ class Specialisation {
 
   /// Up to the first function: gives the constants their values.
   void fix_constants() {
-    for (; first_function_ < module_.size(); ++first_function_) {
-      Instruction& i = module_[first_function_];
+    for (Instruction& i : module_) {
       const auto operands = i.operands();
       if (i.opcode() == spv::OpFunction) return;
+      ++first_function_;
       if (i.opcode() == spv::OpDecorate && operands[1] == spv::DecorationSpecId)
         spec_id_[operands[0]] = operands[2];
       if (const Constant value = value_of_constant(i)) {
