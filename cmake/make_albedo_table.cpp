@@ -30,7 +30,7 @@ double albedo(double cosine, double alpha, const bsdf::MicrofacetOptions& option
       if (c > 0 && wi.z > 0) sum += microfacets.half_vector_weight(wo, wi, h, c, probe);
     }
   }
-  return sum / (points * points / 2);
+  return sum / (0.5 * points * points);
 }
 
 void write_table(std::FILE* out, const bsdf::MicrofacetOptions& options) {

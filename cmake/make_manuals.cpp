@@ -40,7 +40,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }
 
 std::string kind_of(const std::filesystem::path& file) {
-  const std::string folder = file.parent_path().filename().string();
+  std::string folder = file.parent_path().filename().string();
   if (folder != "scene") return folder;
   const std::string stem = file.stem().string();
   return stem == "filter" ? "rfilter" : stem;
@@ -116,6 +116,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::path& pictures) {
+  const std::string folder = pictures.filename().string();
   std::map<std::string, std::vector<const Manual*>> kinds;
   for (const Manual& m : manuals) kinds[m.kind].push_back(&m);
   std::string page =
@@ -128,7 +129,8 @@ std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::p
       page += "\n### " + joined(m->names, ", ") + "\n\n";
       for (const std::string& name : m->names) {
         if (std::filesystem::exists(pictures / (name + ".png")))
-          page += "![" + name + "](" + pictures.filename().string() + "/" + name + ".png)\n\n";
+          page.append("![").append(name).append("](").append(folder).append("/").append(name).append(
+              ".png)\n\n");
       }
       std::string text = escaped(m->text);
       text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));

@@ -36,7 +36,7 @@ void set_ray(Packet& ray, const RayRecord& r, const Set& set) {
   set(ray.flags, 0U);
 }
 
-class Embree : public Yardstick {
+class Embree final : public Yardstick {
  public:
   explicit Embree(const PackedScene& packed) : device_(rtcNewDevice(nullptr)) {
     if (device_ == nullptr) throw DeviceError("Embree made no device");

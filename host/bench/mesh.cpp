@@ -124,8 +124,10 @@ void add_lights(Scene& scene, std::size_t emitters) {
   const auto row = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(emitters))));
   const double side = 2.0 / static_cast<double>(row);
   for (std::size_t i = 0; i < emitters; ++i) {
-    const double x = -1 + side * static_cast<double>(i % row);
-    const double z = -1 + side * static_cast<double>(i / row);
+    const std::size_t column = i % row;
+    const std::size_t line = i / row;
+    const double x = -1 + side * static_cast<double>(column);
+    const double z = -1 + side * static_cast<double>(line);
     add_light(scene, make_light(x, z, side, cells / row));
   }
 }

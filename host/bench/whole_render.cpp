@@ -12,9 +12,9 @@ namespace {
 /// Renders with one set of kernels.
 class Series {
  public:
-  Series(gpu::Device& device, const Scene& scene, const PackedScene& packed, Features features,
+  Series(gpu::Device& device, const Scene& scene, const PackedScene& packed, const Features& features,
          const RenderSettings& settings)
-      : device_(device), packed_(packed), features_(std::move(features)), settings_(settings) {
+      : device_(device), packed_(packed), features_(features), settings_(settings) {
     row_.integrator = scene.integrator.type.name;
     row_.samples_per_pixel = settings.end_sample;
   }
@@ -38,7 +38,7 @@ class Series {
     row.scene = name;
     row.startup_seconds += packing_seconds;
     row.samples_per_second = summarise(rates_);
-    const double rays = static_cast<double>(last_.closest_rays + last_.any_rays);
+    const auto rays = static_cast<double>(last_.closest_rays + last_.any_rays);
     row.rays_per_second = row.samples_per_second.median * rays / static_cast<double>(last_.samples);
     const double total = std::accumulate(last_.stage_seconds.begin(), last_.stage_seconds.end(), 0.0);
     for (std::size_t i = 0; i < row.stage_shares.size(); ++i)

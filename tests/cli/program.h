@@ -12,8 +12,6 @@
 
 #include "support/input.h"
 
-extern char** environ;
-
 namespace facet::test {
 
 struct Result {
@@ -120,6 +118,7 @@ class CliTest : public ::testing::Test {
  private:
   static std::vector<char*> pointers(std::vector<std::string>& words) {
     std::vector<char*> list;
+    list.reserve(words.size() + 1);
     for (std::string& word : words) list.push_back(word.data());
     list.push_back(nullptr);
     return list;

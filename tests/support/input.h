@@ -1,9 +1,9 @@
 #pragma once
 // Input files that last as long as a test, and what is said about them.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>

@@ -134,7 +134,7 @@ TEST_F(ObjTest, LargeFilesAreReadAsSmallOnes) {
   ASSERT_EQ(mesh.positions.size(), static_cast<std::size_t>(3 * count));
   for (std::uint32_t i = 0; i < count; ++i) {
     ASSERT_EQ(mesh.position_indices[i], uvec3(3 * i, 3 * i + 1, 3 * i + 2));
-    ASSERT_EQ(mesh.positions[3 * i], vec3(i, 0, 0));
+    ASSERT_EQ(mesh.positions[3 * std::size_t{i}], vec3(i, 0, 0));
   }
   // Of several errors the first is told, with its line.
   const std::string bad = text + "v 1 2\n" + text + text + "f 1 2\n" + text;

@@ -119,8 +119,9 @@ MeanCounts count_visits(const Scene& scene, const PackedScene& packed) {
   const glm::dmat3 frame(scene.camera.to_world);
   const double tangent = std::tan(glm::radians(scene.camera.fov) / 2);
   for (int i = 0; i < side * side; ++i) {
+    const int row = i / side;
     const double x = (2 * (i % side + 0.5) / side - 1) * tangent;
-    const double y = (2 * (static_cast<double>(i / side) + 0.5) / side - 1) * tangent;
+    const double y = (2 * (row + 0.5) / side - 1) * tangent;
     const Ray ray{dvec3(scene.camera.to_world[3]), glm::normalize(frame * dvec3(x, y, 1))};
     const Walk walk(packed, ray);
     mean.camera.nodes += walk.counts.nodes / (side * side);

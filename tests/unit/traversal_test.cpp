@@ -167,7 +167,9 @@ TEST(Traversal, pairs_of_triangles_in_every_order) {
   do {
     std::array<int, 3> q{0, 2, 3};
     do {
-      const vec3 at(static_cast<float>(squares % 6), static_cast<float>(squares / 6), 0);
+      const std::size_t column = squares % 6;
+      const std::size_t row = squares / 6;
+      const vec3 at(static_cast<float>(column), static_cast<float>(row), 0);
       ++squares;
       const std::array<vec3, 4> square{vec3(0, 0, 0), vec3(0.9F, 0, 0.1F), vec3(0.9F, 0.9F, 0),
                                        vec3(0, 0.9F, 0.2F)};

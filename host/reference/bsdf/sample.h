@@ -50,7 +50,7 @@ template <typename Real, typename Probe>
 template <typename Real>
 [[nodiscard]] Real within_reach(Real p) {
   constexpr Real step = Real(1) / 16777216;
-  if (p <= 0 || p >= 1) return p;
+  if (!(p > 0 && p < 1)) return p;
   return std::clamp(p, step, 1 - step);
 }
 
