@@ -122,8 +122,9 @@ class Specialisation {
     for (std::size_t k = 0; k < first_function_; ++k) {
       if (module_[k].opcode() == spv::OpEntryPoint) call(module_[k].words[2]);
     }
-    // follow_function appends.
-    for (std::size_t k = 0; k < functions_.size(); ++k) follow_function(functions_[k]);
+    // By index, since follow_function appends.
+    for (std::size_t k = 0; k < functions_.size(); ++k)  // NOLINT(modernize-loop-convert)
+      follow_function(functions_[k]);
     std::sort(functions_.begin(), functions_.end());
   }
 
