@@ -1,6 +1,7 @@
 #pragma once
 // Rays against triangles and tree. The test is S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
-// Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again in double where it is 0.
+// Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again in double where it is 0; t is that of
+// the plane (docs/sampling.md, "Intersection").
 #include <algorithm>
 
 #include "reference/geometry.h"
@@ -13,19 +14,19 @@ struct Shear {
   int kx;
   int ky;
   int kz;
-  Vec3<Real> scale;
+  Real x;
+  Real y;
 
   explicit Shear(const Vec3<Real>& d) {
     const Vec3<Real> a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
-    scale = {d[kx] / d[kz], d[ky] / d[kz], 1 / d[kz]};
+    x = d[kx] / d[kz];
+    y = d[ky] / d[kz];
   }
 
-  [[nodiscard]] Vec3<Real> apply(const Vec3<Real>& v) const {
-    return {v[kx] - scale.x * v[kz], v[ky] - scale.y * v[kz], scale.z * v[kz]};
-  }
+  [[nodiscard]] Vec2<Real> apply(const Vec3<Real>& v) const { return {v[kx] - x * v[kz], v[ky] - y * v[kz]}; }
 };
 
 /// Where the ray's line meets the triangle's plane: t and barycentric weights; valid false for a plane seen
@@ -49,21 +50,22 @@ template <typename Real>
 }
 
 template <typename Real>
-[[nodiscard]] PlaneHit<Real> meet_plane(const Shear<Real>& shear, const Vec3<Real>& origin,
+[[nodiscard]] PlaneHit<Real> meet_plane(const Shear<Real>& shear, const Ray<Real>& ray,
                                         const Triangle<Real>& triangle) {
-  const Vec3<Real> a = shear.apply(triangle.vertices[0] - origin);
-  const Vec3<Real> b = shear.apply(triangle.vertices[1] - origin);
-  const Vec3<Real> c = shear.apply(triangle.vertices[2] - origin);
+  const Vec2<Real> a = shear.apply(triangle.vertices[0] - ray.origin);
+  const Vec2<Real> b = shear.apply(triangle.vertices[1] - ray.origin);
+  const Vec2<Real> c = shear.apply(triangle.vertices[2] - ray.origin);
   const Real u = edge_function(c.x, c.y, b.x, b.y);
   const Real v = edge_function(a.x, a.y, c.x, c.y);
   const Real w = edge_function(b.x, b.y, a.x, a.y);
   const Real determinant = u + v + w;
   PlaneHit<Real> hit;
-  if (determinant == 0) return hit;
+  const Real speed = glm::dot(triangle.normal, ray.direction);
+  if (determinant == 0 || speed == 0) return hit;
   hit.valid = true;
   hit.inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
   hit.b = {u / determinant, v / determinant, w / determinant};
-  hit.t = hit.b[0] * a.z + hit.b[1] * b.z + hit.b[2] * c.z;
+  hit.t = glm::dot(triangle.normal, triangle.vertices[0] - ray.origin) / speed;
   return hit;
 }
 
@@ -149,7 +151,7 @@ template <typename Real>
   hit.t = ray.t_max;
   traverse(geometry.tree, ray, Real(0), [&](std::uint32_t first, std::uint32_t count, Real& t_max) {
     for (std::uint32_t i = first; i < first + count; ++i) {
-      const PlaneHit<Real> plane = meet_plane(shear, ray.origin, geometry.triangles[i]);
+      const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[i]);
       if (!plane.inside || !plane.valid || !(plane.t > ray.t_min && plane.t < ray.t_max)) continue;
       // Of equal distances the triangle of the lower number counts, whatever is visited first.
       if (plane.t > hit.t || (plane.t == hit.t && i > hit.triangle)) continue;
@@ -168,7 +170,7 @@ template <typename Real>
   bool found = false;
   traverse(geometry.tree, ray, Real(0), [&](std::uint32_t first, std::uint32_t count, Real& /*t_max*/) {
     for (std::uint32_t i = first; i < first + count && !found; ++i) {
-      const PlaneHit<Real> plane = meet_plane(shear, ray.origin, geometry.triangles[i]);
+      const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[i]);
       found = plane.valid && plane.inside && plane.t > ray.t_min && plane.t < ray.t_max;
     }
     return found;

@@ -31,8 +31,8 @@ template <typename Real, typename Probe>
   // Shares of the whole image, which carry rounding errors of 1.
   const Vec3<Real> shares = probe.nudged(
       Vec3<Real>(1 - (scaled.x - std::floor(scaled.x)), 1 - (scaled.y - std::floor(scaled.y)), 1));
-  const Real x = shares.x * width - Real(0.5);
-  const Real y = shares.y * height - Real(0.5);
+  const Real x = shares.x * width;
+  const Real y = shares.y * height;
   const Real left = decided_floor(x, width, DecisionKind::texel, item, probe);
   const Real upper = decided_floor(y, height, DecisionKind::texel, item + 1, probe);
   const auto texel = [&](Real column, Real row) {

@@ -25,7 +25,7 @@ std::vector<Hit<Real>> watched_hits(const Geometry<Real>& geometry, const Ray<Re
   traverse(geometry.tree, wide, Real(near_miss), [&](std::uint32_t first, std::uint32_t count, Real&) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const Triangle<Real>& triangle = geometry.triangles[i];
-      const PlaneHit<Real> plane = meet_plane(shear, ray.origin, triangle);
+      const PlaneHit<Real> plane = meet_plane(shear, ray, triangle);
       if (!plane.valid) continue;
       bool hit = plane.inside;
       const auto weight = static_cast<double>(plane.smallest_weight());

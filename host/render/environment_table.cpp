@@ -10,26 +10,19 @@ namespace facet {
 
 namespace {
 
-/// Mean over each texel's cell of the bilinearly interpolated luminance: weights 1/8, 6/8, 1/8 along each
-/// axis. It is positive wherever the interpolated value is, also where the texel itself is black.
+/// Mean over each cell [x, x + 1) x [y, y + 1) of the bilinearly interpolated luminance: of the texels at its corners, so that
+/// it is positive wherever the interpolated value is.
 std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   const auto w = static_cast<std::size_t>(e.width);
   const auto h = static_cast<std::size_t>(e.height);
-  std::vector<double> along(w * h);
   std::vector<double> cells(w * h);
   for (std::size_t y = 0; y < h; ++y) {
-    for (std::size_t x = 0; x < w; ++x) {
-      const auto at = [&](std::size_t column) {
-        return static_cast<double>(luminance(e.texels[y * w + column]));
-      };
-      along[y * w + x] = 0.125 * (at((x + w - 1) % w) + at((x + 1) % w)) + 0.75 * at(x);
-    }
-  }
-  for (std::size_t y = 0; y < h; ++y) {
-    for (std::size_t x = 0; x < w; ++x) {
-      const auto at = [&](std::size_t row) { return along[row * w + x]; };
-      cells[y * w + x] = 0.125 * (at(y > 0 ? y - 1 : 0) + at(std::min(y + 1, h - 1))) + 0.75 * at(y);
-    }
+    // Both texels of a row to the right of a column.
+    const auto pair = [&](std::size_t row, std::size_t x) {
+      return static_cast<double>(luminance(e.texels[row * w + x])) +
+             static_cast<double>(luminance(e.texels[row * w + (x + 1) % w]));
+    };
+    for (std::size_t x = 0; x < w; ++x) cells[y * w + x] = 0.25 * (pair(y, x) + pair(std::min(y + 1, h - 1), x));
   }
   return cells;
 }

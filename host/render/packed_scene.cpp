@@ -209,8 +209,8 @@ class Packer {
     const double aspect = static_cast<double>(c.width) / c.height;
     shared::FrameRecord& f = packed_.frame;
     f.camera_origin = glm::vec4(vec3(dvec3(c.to_world[3])), c.near_clip);
-    f.camera_corner = glm::vec4(vec3(linear * dvec3(-tangent, tangent / aspect, 1)), c.far_clip);
-    f.camera_dx = glm::vec4(vec3(linear[0] * (2 * tangent / c.width)), 0);
+    f.camera_corner = glm::vec4(vec3(linear * dvec3(tangent, tangent / aspect, 1)), c.far_clip);
+    f.camera_dx = glm::vec4(vec3(linear[0] * (-2 * tangent / c.width)), 0);
     f.camera_dy = glm::vec4(vec3(linear[1] * (-2 * tangent / aspect / c.height)), 0);
     f.width = static_cast<std::uint32_t>(c.width);
     f.height = static_cast<std::uint32_t>(c.height);

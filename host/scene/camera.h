@@ -14,9 +14,9 @@ namespace facet {
    | nearClip      | 1e-4        | least depth that is seen                                             |
    | farClip       | 1e4         | greatest depth that is seen                                          |
 
-   Holds one rfilter, by default `gaussian`. It looks along +z of its space, +x to the right of the image, +y
-   up: a left-handed view, so that a bare lookat (whose x is the viewer's left) mirrors the world, as in Nori,
-   and files undo that with scale -1, 1, 1. */
+   Holds one rfilter, by default `gaussian`. It looks along +z of its space, +x to the left of the image, +y
+   up, as in Nori: a bare lookat (whose x is the viewer's left) shows the world as it is, and scale -1, 1, 1
+   mirrors it. */
 struct Camera {
   int width = 1280;
   int height = 720;

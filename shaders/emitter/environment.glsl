@@ -6,9 +6,9 @@
    | radiance  | 1       | factor on the image divided by 255, or the constant radiance   |
    | encoding  | msa     | `linear`: the image is not divided by 255                      |
 
-   Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at texel ((1-u) W, (1-v) H), bilinear
-   between texel centres; u wraps, v clamps. Sampled by the mean of the bilinear luminance over each texel's cell times the
-   cell's solid angle, uniformly within it (docs/sampling.md).
+   Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at image coordinates ((1-u) W, (1-v) H),
+   bilinear: texel (i, j) has its value at coordinates (i, j), as in Nori; u wraps, v clamps. Sampled by the mean of the four
+   texels around each cell [i, i+1) x [j, j+1) times the cell's solid angle, uniformly within it (docs/sampling.md).
    Record: of a texel: rgb, and the cell's density in sr^-1. */
 #include "../lib/records.glsl"
 #include "../lib/elementary.glsl"
@@ -30,13 +30,13 @@ vec4 environment_texel(uint x, uint y) { return uintBitsToFloat(environment_map_
 vec3 environment_eval(vec3 d) {
   uint w = frame.environment_width;
   uint h = frame.environment_height;
-  vec2 at = environment_coordinates(d) - vec2(0.5);
+  vec2 at = environment_coordinates(d);
   vec2 base = floor(at);
   vec2 f = at - base;
-  uint x0 = uint(int(base.x) + int(w)) % w;
+  uint x0 = uint(base.x) % w;
   uint x1 = (x0 + 1u) % w;
-  uint y0 = uint(clamp(int(base.y), 0, int(h) - 1));
-  uint y1 = uint(clamp(int(base.y) + 1, 0, int(h) - 1));
+  uint y0 = min(uint(base.y), h - 1u);
+  uint y1 = min(y0 + 1u, h - 1u);
   vec3 top = (1.0 - f.x) * environment_texel(x0, y0).rgb + f.x * environment_texel(x1, y0).rgb;
   vec3 bottom = (1.0 - f.x) * environment_texel(x0, y1).rgb + f.x * environment_texel(x1, y1).rgb;
   return (1.0 - f.y) * top + f.y * bottom;

@@ -48,7 +48,8 @@ struct TraversalRay {
   vec3 inverse;  // 1/direction, finite
   float t_max;
   vec3 slack;    // |inverse| times the bound of relative errors of positions
-  Frame across;  // s, t: unit vectors perpendicular to the ray; n: direction / |direction|^2
+  vec3 direction;
+  Frame across;  // s, t: unit vectors perpendicular to the ray
 };
 
 TraversalRay traversal_ray(RayRecord r) {
@@ -60,7 +61,7 @@ TraversalRay traversal_ray(RayRecord r) {
   vec3 unit = normalize_safe(d);
   float length = dot3(d, unit);
   ray.across = frame_from_normal(unit);
-  ray.across.n = unit / length;
+  ray.direction = d;
   // Directions almost parallel to a slab count as parallel to it within the bound that intersect_children adds.
   vec3 smallest = vec3(1.0e-15 * length);
   vec3 clamped = mix(max(d, smallest), min(d, -smallest), lessThan(d, vec3(0.0)));
@@ -114,10 +115,16 @@ float edge_function(vec2 p, vec2 q) { return p.x * q.y - p.y * q.x; }
 
 bool same_side(float u, float v, float w) { return min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0; }
 
+/// A normal of the plane of the edges e and f; inverse_e2 is 1/|e|^2. It is formed with f's part perpendicular to e, so that no digits cancel in the
+/// cross product however thin the triangle is: all vertices lie within a few ulps of the longest edge from the plane.
+vec3 plane_normal(vec3 e, float inverse_e2, vec3 f) { return cross3(f - (dot3(f, e) * inverse_e2) * e, e); }
+
 /// The nearest hit of the ray with a pair's triangles at t_min < t < t_max.
-/// Watertight: the vertices are projected along the ray, alike for every triangle that shares them, and an edge's
+/// Whether there is a hit is watertight: the vertices are projected along the ray, alike for every triangle that shares them, and an edge's
 /// function changes only its sign between the two triangles beside it
 /// (after S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
+/// Where it lies along the ray is told by the plane, not by the weights, whose errors grow with the triangle's length over its width
+/// (docs/sampling.md, "Intersection").
 PairHit intersect_pair(TraversalRay ray, Corners corners, float t_max) {
   vec3 a = corners.c0 - ray.origin;
   vec3 b = corners.c1 - ray.origin;
@@ -127,30 +134,31 @@ PairHit intersect_pair(TraversalRay ray, Corners corners, float t_max) {
   vec2 pb = vec2(dot3(ray.across.s, b), dot3(ray.across.t, b));
   vec2 pc = vec2(dot3(ray.across.s, c), dot3(ray.across.t, c));
   vec2 pd = vec2(dot3(ray.across.s, d), dot3(ray.across.t, d));
-  float ta = dot3(ray.across.n, a);
-  float tc = dot3(ray.across.n, c);
   float diagonal = edge_function(pa, pc);
+  vec3 e = corners.c2 - corners.c0;
+  float inverse_e2 = 1.0 / dot3(e, e);
 
   float u0 = edge_function(pc, pb);
   float w0 = edge_function(pb, pa);
   float det0 = (u0 + diagonal) + w0;
-  float inverse0 = 1.0 / det0;
-  float t0 = ((u0 * ta + diagonal * dot3(ray.across.n, b)) + w0 * tc) * inverse0;
+  vec3 n0 = plane_normal(e, inverse_e2, corners.c1 - corners.c0);
+  float t0 = dot3(n0, a) / dot3(n0, ray.direction);
   bool hit0 = same_side(u0, diagonal, w0) && det0 != 0.0 && t0 > ray.t_min && t0 < t_max;
 
   float u1 = edge_function(pd, pc);
   float v1 = edge_function(pa, pd);
   float det1 = (u1 + v1) - diagonal;
-  float inverse1 = 1.0 / det1;
-  float t1 = ((u1 * ta + v1 * tc) - diagonal * dot3(ray.across.n, d)) * inverse1;
+  vec3 n1 = plane_normal(e, inverse_e2, corners.c3 - corners.c0);
+  float t1 = dot3(n1, a) / dot3(n1, ray.direction);
   bool hit1 = same_side(u1, v1, -diagonal) && det1 != 0.0 && t1 > ray.t_min && t1 < (hit0 ? t0 : t_max);
 
   PairHit hit;
   hit.found = hit0 || hit1;
   hit.second = hit1;
   hit.t = hit1 ? t1 : t0;
-  hit.b1 = hit1 ? v1 * inverse1 : diagonal * inverse0;
-  hit.b2 = hit1 ? -diagonal * inverse1 : w0 * inverse0;
+  float inverse = 1.0 / (hit1 ? det1 : det0);
+  hit.b1 = (hit1 ? v1 : diagonal) * inverse;
+  hit.b2 = (hit1 ? -diagonal : w0) * inverse;
   return hit;
 }
 

@@ -17,6 +17,20 @@ struct Surface {
 
 vec3 fetch_normal(uint i) { return uintBitsToFloat(normal_texel(i).xyz); }
 
+/// Unit normal of a triangle by its winding. From the two shorter edges, of which only their perpendicular parts count, so that the normal of a
+/// long thin triangle has all its digits.
+vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
+  vec3 a = v1 - v0;
+  vec3 b = v2 - v0;
+  vec3 c = v2 - v1;
+  float a2 = dot3(a, a);
+  float b2 = dot3(b, b);
+  float c2 = dot3(c, c);
+  vec3 e = normalize_safe(a2 > b2 && a2 > c2 ? b : a);
+  vec3 f = normalize_safe(c2 >= a2 && c2 >= b2 ? b : c);
+  return normalize_safe(cross3(e, normalize_safe(f - dot3(e, f) * e)));
+}
+
 /// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in order of reading.
 Surface surface_at(uint triangle, float b1, float b2) {
   TriangleName name = triangle_name(triangle);
@@ -29,9 +43,7 @@ Surface surface_at(uint triangle, float b1, float b2) {
   s.position = (b0 * v0 + b1 * v1) + b2 * v2;
   vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
   s.magnitude = max(largest.x, max(largest.y, largest.z));
-  vec3 e1 = normalize_safe(v1 - v0);
-  vec3 e2 = normalize_safe(v2 - v0);
-  s.ng = normalize_safe(cross3(e1, e2));
+  s.ng = triangle_normal(v0, v1, v2);
   s.ns = s.ng;
   s.mesh = name.mesh;
   uint attributes = SHADING_NORMALS || TEXTURE_KINDS != 0u ? fetch_mesh(s.mesh).attributes : NONE;

@@ -7,10 +7,11 @@
 const uint TEXTURE_CHECKER = 1u;
 const uint TEXTURE_IMAGE = 2u;
 
+bool is_odd(float whole) { return whole - 2.0 * floor(whole * 0.5) == 1.0; }
+
+// Each axis by itself, since a sum of large numbers rounds.
 vec3 checker_value(TextureRecord t, vec2 uv) {
-  float cell = floor(uv.x * t.first.w) + floor(uv.y * t.second.w);
-  bool odd = cell - 2.0 * floor(cell * 0.5) == 1.0;
-  return odd ? t.second.rgb : t.first.rgb;
+  return is_odd(floor(uv.x * t.first.w)) != is_odd(floor(uv.y * t.second.w)) ? t.second.rgb : t.first.rgb;
 }
 
 /// What a byte of an image stands for.
@@ -23,20 +24,17 @@ vec3 image_texel(TextureRecord t, uint x, uint y) {
   return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u), texel_channel(t, texel, 16u));
 }
 
-/// Texel left of a coordinate that lies in [-1/2, size], wrapped.
-uint wrapped_texel(float base, uint size) { return uint(int(base) + int(size)) % size; }
-
 vec3 image_value(TextureRecord t, vec2 uv) {
   vec2 scaled = vec2(uv.x * t.first.w, uv.y * t.second.w);
   vec2 within = scaled - floor(scaled);
-  vec2 at = vec2((1.0 - within.x) * float(t.width), (1.0 - within.y) * float(t.height)) - vec2(0.5);
+  vec2 at = vec2((1.0 - within.x) * float(t.width), (1.0 - within.y) * float(t.height));
   vec2 base = floor(at);
   vec2 f = at - base;
   uint w = max(t.width, 1u);
   uint h = max(t.height, 1u);
-  uint x0 = wrapped_texel(base.x, w);
+  uint x0 = uint(base.x) % w;
   uint x1 = (x0 + 1u) % w;
-  uint y0 = wrapped_texel(base.y, h);
+  uint y0 = uint(base.y) % h;
   uint y1 = (y0 + 1u) % h;
   vec3 top = (1.0 - f.x) * image_texel(t, x0, y0) + f.x * image_texel(t, x1, y0);
   vec3 bottom = (1.0 - f.x) * image_texel(t, x0, y1) + f.x * image_texel(t, x1, y1);

@@ -98,7 +98,8 @@ void set_camera(Scene& scene, int size, double fov, const dvec3& origin, const d
   c.near_clip = 0;
   c.far_clip = 1e30;
   c.filter = BoxFilter{};
-  c.to_world = dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(right, forward), 0), glm::dvec4(forward, 0),
+  // +x of the camera is on the image's left.
+  c.to_world = dmat4(glm::dvec4(-right, 0), glm::dvec4(glm::cross(right, forward), 0), glm::dvec4(forward, 0),
                      glm::dvec4(origin, 1));
 }
 

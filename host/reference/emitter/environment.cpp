@@ -1,30 +1,21 @@
 #include "reference/emitter/environment.h"
 
-#include <array>
+#include <algorithm>
 
 namespace facet::reference {
 
 namespace {
 
-/// Weights with which a cell's mean of the bilinear interpolation sees the texels around its own: the tent's
-/// mass in the three unit intervals.
-constexpr std::array<double, 3> tent_mass{0.125, 0.75, 0.125};
-
-/// Mean of the interpolated luminance over the cell of a texel.
+/// Mean of the interpolated luminance over the cell between the texels (column, row) and (column + 1, row + 1).
 double cell_mean(const EnvironmentEmitter& map, int column, int row) {
-  double mean = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    const int y = std::clamp(row + dy, 0, map.height - 1);
-    double across = 0;
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int x = (column + dx + map.width) % map.width;
+  double sum = 0;
+  for (const int y : {row, std::min(row + 1, map.height - 1)}) {
+    for (const int x : {column, (column + 1) % map.width}) {
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
-      across += tent_mass.at(static_cast<std::size_t>(dx + 1)) *
-                static_cast<double>(luminance(map.texels[i + static_cast<std::size_t>(x)]));
+      sum += static_cast<double>(luminance(map.texels[i + static_cast<std::size_t>(x)]));
     }
-    mean += tent_mass.at(static_cast<std::size_t>(dy + 1)) * across;
   }
-  return mean;
+  return sum / 4;
 }
 
 }  // namespace

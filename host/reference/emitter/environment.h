@@ -8,7 +8,7 @@
 
 namespace facet::reference {
 
-/// Light from infinity by a latitude-longitude map, bilinear between texel centres; sampled by cells of equal
+/// Light from infinity by a latitude-longitude map, bilinear; sampled by the cells between texels, of equal
 /// angles (docs/sampling.md, "Environment").
 template <typename Real>
 class Environment {
@@ -80,12 +80,10 @@ class Environment {
 
   template <typename Probe>
   [[nodiscard]] Vec3<Real> radiance(const Place& at, Probe& probe) const {
-    const Real left =
-        decided_floor(at.x - Real(0.5), static_cast<Real>(width_), DecisionKind::texel, 0, probe);
-    const Real lower =
-        decided_floor(at.y - Real(0.5), static_cast<Real>(height_), DecisionKind::texel, 1, probe);
-    const Real fx = at.x - Real(0.5) - left;
-    const Real fy = at.y - Real(0.5) - lower;
+    const Real left = decided_floor(at.x, static_cast<Real>(width_), DecisionKind::texel, 0, probe);
+    const Real lower = decided_floor(at.y, static_cast<Real>(height_), DecisionKind::texel, 1, probe);
+    const Real fx = at.x - left;
+    const Real fy = at.y - lower;
     const auto x = static_cast<long long>(left);
     const auto y = static_cast<long long>(lower);
     return (texel(x, y) * (1 - fx) + texel(x + 1, y) * fx) * (1 - fy) +
