@@ -13,6 +13,7 @@
 #include "cli/interrupt.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "core/print.h"
 #include "image/files.h"
 #include "scene/reader.h"
 
@@ -126,7 +127,7 @@ class BenchJob {
 
   void tell(const std::string& text) const {
     if (options_.json == "-") return;
-    fmt::print("{}", text);
+    put("{}", text);
     std::fflush(stdout);
   }
 

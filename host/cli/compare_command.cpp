@@ -10,6 +10,7 @@
 #include "cli/compare_page.h"
 #include "cli/comparison.h"
 #include "cli/text_file.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "image/files.h"
 
@@ -24,14 +25,13 @@ std::size_t columns(const std::string& text) {
 }
 
 void print_table(const CompareOptions& options, const Comparison& comparison) {
-  fmt::print("{} against the reference {}, {}x{} pixels\n", options.image, options.reference,
-             comparison.image.width(), comparison.image.height());
+  put("{} against the reference {}, {}x{} pixels\n", options.image, options.reference,
+      comparison.image.width(), comparison.image.height());
   const std::vector<MetricRow> rows = metric_rows(options, comparison);
   std::size_t width = 0;
   for (const MetricRow& row : rows) width = std::max(width, columns(row.value));
   for (const MetricRow& row : rows) {
-    fmt::print("  {:<16}  {}{}  {}\n", row.name, row.value, std::string(width - columns(row.value), ' '),
-               row.note);
+    put("  {:<16}  {}{}  {}\n", row.name, row.value, std::string(width - columns(row.value), ' '), row.note);
   }
 }
 
@@ -71,8 +71,8 @@ ExitCode compare(const CompareOptions& options) {
     write_text(options.json, text + "\n");
     if (options.json != "-") print_table(options, comparison);
   }
-  for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  for (const std::string& violation : comparison.violations) fmt::print(stderr, "facet: {}\n", violation);
+  for (const std::string& warning : comparison.warnings) say("warning: {}\n", warning);
+  for (const std::string& violation : comparison.violations) say("facet: {}\n", violation);
   return comparison.violations.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 

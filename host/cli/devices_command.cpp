@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "gpu/device.h"
 #include "gpu/kernel_cache.h"
@@ -15,21 +16,21 @@ ExitCode list_devices() {
   const gpu::Instance instance(false);
   const std::vector<gpu::DeviceInfo> devices = instance.devices();
   for (const gpu::DeviceInfo& d : devices) {
-    fmt::print("{}: {}\n", d.index, d.name);
-    fmt::print("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver,
-               VK_API_VERSION_MAJOR(d.api_version), VK_API_VERSION_MINOR(d.api_version),
-               VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
-    fmt::print("   {}\n", d.lacks.empty() ? "has everything facet needs"
-                                          : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+    put("{}: {}\n", d.index, d.name);
+    put("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver,
+        VK_API_VERSION_MAJOR(d.api_version), VK_API_VERSION_MINOR(d.api_version),
+        VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
+    put("   {}\n",
+        d.lacks.empty() ? "has everything facet needs" : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
     const std::string cache = gpu::describe_kernel_cache(d.driver);
-    if (!cache.empty()) fmt::print("   {}\n", cache);
+    if (!cache.empty()) put("   {}\n", cache);
   }
-  fmt::print("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
+  put("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
   const gpu::DeviceInfo chosen = instance.choose("");
   const char* why = devices.size() == 1
                         ? "the only device"
                         : "the first of the best kind: discrete, then integrated, virtual, CPU";
-  fmt::print("used: {}: {} ({}; --device chooses another)\n", chosen.index, chosen.name, why);
+  put("used: {}: {} ({}; --device chooses another)\n", chosen.index, chosen.name, why);
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/warnings.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "render/features.h"
 #include "render/packed_scene.h"
@@ -28,15 +29,15 @@ struct InfoOptions {
 void print_supported() {
   std::map<std::string_view, std::vector<std::string_view>> by_tag;
   for (const PluginInfo& plugin : plugins()) by_tag[plugin.tag].push_back(plugin.type);
-  fmt::print("supported:\n");
-  for (const auto& [tag, types] : by_tag) fmt::print("  {:<11} {}\n", tag, fmt::join(types, ", "));
+  put("supported:\n");
+  for (const auto& [tag, types] : by_tag) put("  {:<11} {}\n", tag, fmt::join(types, ", "));
 }
 
 void print_plugins(const std::string& name) {
   if (name.empty()) {
     for (const Manual& m : manuals()) {
       const std::string names(m.names.substr(1, m.names.size() - 2));
-      fmt::print("{:<11} {}: {}\n", m.kind, fmt::join(split_list(names), ", "), m.summary);
+      put("{:<11} {}: {}\n", m.kind, fmt::join(split_list(names), ", "), m.summary);
     }
     return;
   }
@@ -44,7 +45,7 @@ void print_plugins(const std::string& name) {
   for (const Manual& m : manuals()) {
     for (const std::string_view other : split_list(m.names)) known.emplace_back(other);
     if (!m.is_about(name)) continue;
-    fmt::print("{} \"{}\": {}", m.kind, name, m.text);
+    put("{} \"{}\": {}", m.kind, name, m.text);
     return;
   }
   throw InputError(fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
@@ -87,27 +88,27 @@ ExitCode print_info(const InfoOptions& options) {
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
                            bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
                            bytes_of(packed.texels);
-  fmt::print("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width,
-             scene.camera.height, scene.sample_count, name_of(scene.sampler),
-             scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
-  fmt::print("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
-             packed.triangle_count());
-  for (const Mesh& mesh : scene.meshes) fmt::print("  {}\n", describe(mesh, scene));
-  fmt::print("bsdfs: {}, textures: {}, emitters: {}\n", scene.bsdfs.size(), scene.textures.size(),
-             scene.emitters.size());
+  put("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width, scene.camera.height,
+      scene.sample_count, name_of(scene.sampler),
+      scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
+  put("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
+      packed.triangle_count());
+  for (const Mesh& mesh : scene.meshes) put("  {}\n", describe(mesh, scene));
+  put("bsdfs: {}, textures: {}, emitters: {}\n", scene.bsdfs.size(), scene.textures.size(),
+      scene.emitters.size());
   for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
-    fmt::print("  {}: chosen with probability {:.3g}\n", describe(scene.emitters[i], scene),
-               packed.emitters[i].probability);
+    put("  {}: chosen with probability {:.3g}\n", describe(scene.emitters[i], scene),
+        packed.emitters[i].probability);
   }
-  fmt::print("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.node_count,
-             packed.bvh.sah_cost, packed.bvh.stack_size, packed.bvh_seconds);
-  fmt::print("device memory: geometry {}B ({:.1f} a triangle), emitters and textures {}B\n",
-             with_unit_prefix(static_cast<double>(geometry)),
-             packed.triangle_count() == 0
-                 ? 0.0
-                 : static_cast<double>(geometry) / static_cast<double>(packed.triangle_count()),
-             with_unit_prefix(static_cast<double>(rest)));
-  fmt::print("compiled for it: {}\n", fmt::join(features.names(), ", "));
+  put("BVH: {} nodes, SAH cost {:.3g}, stack of {}, built in {:.3f} s\n", packed.bvh.node_count,
+      packed.bvh.sah_cost, packed.bvh.stack_size, packed.bvh_seconds);
+  put("device memory: geometry {}B ({:.1f} a triangle), emitters and textures {}B\n",
+      with_unit_prefix(static_cast<double>(geometry)),
+      packed.triangle_count() == 0
+          ? 0.0
+          : static_cast<double>(geometry) / static_cast<double>(packed.triangle_count()),
+      with_unit_prefix(static_cast<double>(rest)));
+  put("compiled for it: {}\n", fmt::join(features.names(), ", "));
   return ExitCode::done;
 }
 

@@ -3,7 +3,7 @@
 
 namespace facet::cli {
 
-/// From now on SIGINT and SIGTERM set a flag.
+/// From now on SIGINT, SIGTERM and SIGHUP set a flag, unless they are ignored.
 void catch_interrupts();
 
 [[nodiscard]] bool was_interrupted();

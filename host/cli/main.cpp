@@ -1,11 +1,14 @@
 // facet: the command line.
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
 #include "cli/commands.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "version.h"
 
@@ -19,7 +22,7 @@ const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::n
 const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
 
 int fail(const std::string& message, ExitCode code) {
-  fmt::print(stderr, "facet: {}\n", message);
+  say("facet: {}\n", message);
   return static_cast<int>(code);
 }
 
@@ -42,7 +45,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
 
 /// A full disk behind standard output must not pass for success.
 int with_output_written(int exit_code) {
-  if (std::fflush(stdout) == 0) return exit_code;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   return fail("cannot write to standard output", ExitCode::bad_input);
 }
 
@@ -68,6 +71,14 @@ int run(int argc, char** argv) {
   return with_output_written(static_cast<int>(action()));
 }
 
+/// Descriptors 0 to 2 that whoever started the program has closed would go to the next files that are opened,
+/// and messages into these.
+void open_standard_streams() {
+  for (const int descriptor : {0, 1, 2}) {
+    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY);
+  }
+}
+
 }  // namespace
 
 double seconds_since_start() {
@@ -82,6 +93,9 @@ std::string version_text() {
 }  // namespace facet::cli
 
 int main(int argc, char** argv) {
+  facet::cli::open_standard_streams();
+  // A reader that has gone is an error of the write, not the program's end.
+  (void)std::signal(SIGPIPE, SIG_IGN);
   try {
     return facet::cli::run(argc, argv);
   } catch (const facet::Error& error) {

@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/part_file.h"
 #include "cli/text_file.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "image/part.h"
 
@@ -133,8 +134,7 @@ class MergeJob {
                       without->file));
     }
     if (std::all_of(parts_.begin(), parts_.end(), lacks)) return;
-    fmt::print(stderr, "warning: {}: holds no sums of squares, so the merged image keeps none\n",
-               without->file);
+    say("warning: {}: holds no sums of squares, so the merged image keeps none\n", without->file);
   }
 
   void join() {
@@ -202,11 +202,10 @@ class MergeJob {
 
   void print_summary() const {
     const SampleRanges missing = samples_.missing_in(samples_.hull());
-    fmt::print(stderr, "{}: {} part{} of {}x{} pixels, {} samples each ({}{})\n",
-               parts_[0].text("facet.scene"), parts_.size(), parts_.size() == 1 ? "" : "s", film_.width,
-               film_.height, samples_.count(), samples_.text(),
-               missing.empty() ? "" : "; missing: " + missing.text());
-    fmt::print(stderr, "wrote {}\n", fmt::join(options_.outputs, " and "));
+    say("{}: {} part{} of {}x{} pixels, {} samples each ({}{})\n", parts_[0].text("facet.scene"),
+        parts_.size(), parts_.size() == 1 ? "" : "s", film_.width, film_.height, samples_.count(),
+        samples_.text(), missing.empty() ? "" : "; missing: " + missing.text());
+    say("wrote {}\n", fmt::join(options_.outputs, " and "));
   }
 
   const MergeOptions& options_;

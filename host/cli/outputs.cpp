@@ -5,10 +5,13 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "image/files.h"
 
 namespace facet::cli {
+
+bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
 
 namespace {
 
@@ -19,9 +22,28 @@ void check_extension(const std::string& file) {
   }
 }
 
-}  // namespace
+void write_as_named(const std::string& file, const Image& image, float exposure) {
+  if (is_exr(file)) {
+    write_exr(file, image);
+  } else {
+    write_png(file, image, exposure);
+  }
+}
 
-bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
+/// Where the file's folder has gone since the command began, the image goes to the current one.
+void write_image(const std::string& file, const Image& image, float exposure) {
+  const std::filesystem::path path(file);
+  std::error_code unknown;
+  const bool lost = path.has_parent_path() && !std::filesystem::exists(path.parent_path(), unknown);
+  const std::string place = lost ? path.filename().string() : file;
+  if (lost && std::filesystem::exists(place, unknown))
+    throw InputError(
+        fmt::format("{}: cannot write: no such folder any more, and {} is in the current one", file, place));
+  write_as_named(place, image, exposure);
+  if (lost) say("warning: {}: no such folder any more; the image is in {}\n", file, place);
+}
+
+}  // namespace
 
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
   command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")
@@ -65,13 +87,15 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
 }
 
 void write_images(const std::vector<std::string>& files, const Image& image, float exposure) {
+  std::string failures;
   for (const std::string& file : files) {
-    if (is_exr(file)) {
-      write_exr(file, image);
-    } else {
-      write_png(file, image, exposure);
+    try {
+      write_image(file, image, exposure);
+    } catch (const InputError& error) {
+      failures += (failures.empty() ? "" : "\n") + std::string(error.what());
     }
   }
+  if (!failures.empty()) throw InputError(failures);
 }
 
 }  // namespace facet::cli

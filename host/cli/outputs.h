@@ -24,7 +24,8 @@ void check_outputs(const std::vector<std::string>& images, const std::string& js
 /// Throws InputError if one of the images is a PNG and the size is more than a PNG takes.
 void check_png_size(const std::vector<std::string>& images, int width, int height);
 
-/// Writes the image to every file, in the format that its extension names.
+/// Writes the image to every file, in the format that its extension names; then throws InputError if one of
+/// them could not be written.
 void write_images(const std::vector<std::string>& files, const Image& image, float exposure);
 
 }  // namespace facet::cli

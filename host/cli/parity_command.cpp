@@ -12,6 +12,7 @@
 #include "cli/render_options.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "core/print.h"
 #include "image/files.h"
 #include "reference/parity.h"
 #include "render/renderer.h"
@@ -172,40 +173,38 @@ class ParityJob {
     const auto share = [](std::uint64_t part, std::uint64_t whole) {
       return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 100.0;
     };
-    fmt::print("{}: {}, {} sampling, {} samples on {}\n", options_.scene, scene_.integrator.type.name,
-               options_.sampling, r.samples, device_.name);
-    fmt::print("kernels against reference in float (tolerance {:g} |F| + {:g} s):\n", r.tolerance.relative,
-               r.tolerance.spread_factor);
-    fmt::print("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n",
-               share(r.identical, r.samples), share(r.identical_pixels, r.pixels));
-    fmt::print(
-        "  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they agree\n",
+    put("{}: {}, {} sampling, {} samples on {}\n", options_.scene, scene_.integrator.type.name,
+        options_.sampling, r.samples, device_.name);
+    put("kernels against reference in float (tolerance {:g} |F| + {:g} s):\n", r.tolerance.relative,
+        r.tolerance.spread_factor);
+    put("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n", share(r.identical, r.samples),
+        share(r.identical_pixels, r.pixels));
+    put("  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they agree\n",
         r.percentile_difference, r.largest_difference);
-    fmt::print("  within their spread only {} samples; {} have a spread beyond 10 % of themselves\n",
-               r.ill_conditioned, r.untestable);
-    fmt::print("  diverged                 {} samples ({:.4f} %), {} unexplained\n", r.diverged.size(),
-               share(r.diverged.size(), r.samples), r.unexplained());
-    fmt::print("  film against its samples {:.2g}\n", r.film_difference);
-    fmt::print("reference in float against double:\n");
-    fmt::print("  same branches            {:.3f} % of samples\n", share(r.same_branches, r.samples));
+    put("  within their spread only {} samples; {} have a spread beyond 10 % of themselves\n",
+        r.ill_conditioned, r.untestable);
+    put("  diverged                 {} samples ({:.4f} %), {} unexplained\n", r.diverged.size(),
+        share(r.diverged.size(), r.samples), r.unexplained());
+    put("  film against its samples {:.2g}\n", r.film_difference);
+    put("reference in float against double:\n");
+    put("  same branches            {:.3f} % of samples\n", share(r.same_branches, r.samples));
     print_noise();
     print_diverged();
-    for (const std::string& line : failings_) fmt::print("FAILED: {}\n", line);
-    if (was_interrupted()) fmt::print("interrupted: this is what was compared until then\n");
-    if (failings_.empty() && !was_interrupted()) fmt::print("parity holds\n");
+    for (const std::string& line : failings_) put("FAILED: {}\n", line);
+    if (was_interrupted()) put("interrupted: this is what was compared until then\n");
+    if (failings_.empty() && !was_interrupted()) put("parity holds\n");
   }
 
   void print_noise() const {
     const reference::ParityReport& r = report_;
     if (!r.noise_known) {
-      fmt::print(
-          "  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is unknown\n",
+      put("  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is unknown\n",
           r.precision_rms, r.largest_precision);
       return;
     }
-    fmt::print("  RMS difference           {:.2g}, {:.2g} of the noise of 1024 samples; {:.2g} at most\n",
-               r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0, r.largest_precision);
-    fmt::print("  means of 16x16 pixels    largest z {:.2f} of {:.2f}\n", r.block_z, r.critical_z);
+    put("  RMS difference           {:.2g}, {:.2g} of the noise of 1024 samples; {:.2g} at most\n",
+        r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0, r.largest_precision);
+    put("  means of 16x16 pixels    largest z {:.2f} of {:.2f}\n", r.block_z, r.critical_z);
   }
 
   void print_diverged() const {
@@ -214,22 +213,20 @@ class ParityJob {
                      [](const auto& a, const auto& b) { return a.turned.empty() > b.turned.empty(); });
     for (std::size_t i = 0; i < std::min(list.size(), listed_samples); ++i) {
       const reference::DivergedSample& d = list[i];
-      fmt::print("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x,
-                 d.y, d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y,
-                 d.reference.z);
+      put("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x, d.y,
+          d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y, d.reference.z);
       if (d.turned.empty()) {
-        fmt::print("  UNEXPLAINED; again (and with --backend reference): {}\n", command_for(d));
-        fmt::print("  decided by least: {}\n", d.nearest);
+        put("  UNEXPLAINED; again (and with --backend reference): {}\n", command_for(d));
+        put("  decided by least: {}\n", d.nearest);
       }
-      for (const std::string& reason : d.reasons) fmt::print("  turned: {}\n", reason);
+      for (const std::string& reason : d.reasons) put("  turned: {}\n", reason);
     }
-    if (list.size() > listed_samples)
-      fmt::print("and {} more (--json lists all)\n", list.size() - listed_samples);
+    if (list.size() > listed_samples) put("and {} more (--json lists all)\n", list.size() - listed_samples);
     if (report_.suspects.empty()) return;
-    fmt::print("what the unexplained samples have in common (1: they all, and no other sample, use it):\n");
+    put("what the unexplained samples have in common (1: they all, and no other sample, use it):\n");
     for (std::size_t i = 0; i < std::min(report_.suspects.size(), listed_suspects); ++i) {
       const reference::Suspect& s = report_.suspects[i];
-      fmt::print("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing, s.passing);
+      put("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing, s.passing);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/print.h"
 #include "core/text.h"
 
 namespace facet::cli {
@@ -45,9 +46,9 @@ void Progress::draw_bar(double done, const RenderStatistics& s) {
   }
   const int filled = static_cast<int>(done * bar_width);
   const std::string error = error_ > 0 ? fmt::format("  error {:.2g}", error_) : "";
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}samples  {}{}  {:.0f} s left \x1b[K", "", filled, "",
-             bar_width - filled, 100 * done, with_unit_prefix(static_cast<double>(s.samples)) + " ",
-             rays_per_second(s), error, seconds_left(done, s));
+  say("\r[{:=<{}}{: <{}}] {:3.0f} %  {}samples  {}{}  {:.0f} s left \x1b[K", "", filled, "",
+      bar_width - filled, 100 * done, with_unit_prefix(static_cast<double>(s.samples)) + " ",
+      rays_per_second(s), error, seconds_left(done, s));
   std::fflush(stderr);
   drawn_ = true;
 }
@@ -55,11 +56,11 @@ void Progress::draw_bar(double done, const RenderStatistics& s) {
 void Progress::print_line(double done, const RenderStatistics& s) {
   if (s.render_seconds < next_line_) return;
   next_line_ = s.render_seconds + 10;
-  fmt::print(stderr, "{:3.0f} %  {}  {:.0f} s left\n", 100 * done, rays_per_second(s), seconds_left(done, s));
+  say("{:3.0f} %  {}  {:.0f} s left\n", 100 * done, rays_per_second(s), seconds_left(done, s));
 }
 
 void Progress::finish() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (drawn_) say("\r\x1b[K");
 }
 
 }  // namespace facet::cli

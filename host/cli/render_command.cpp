@@ -12,6 +12,7 @@
 #include "cli/render_report.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "core/print.h"
 #include "image/part.h"
 #include "reference/renderer.h"
 #include "render/renderer.h"
@@ -83,8 +84,7 @@ class RenderJob {
       outcome_.statistics = renderer.statistics();
       keep(renderer.film());
     }
-    for (const std::string& message : instance.validation().messages)
-      fmt::print(stderr, "validation: {}\n", message);
+    for (const std::string& message : instance.validation().messages) say("validation: {}\n", message);
     return instance.validation().messages.empty();
   }
 
@@ -129,8 +129,8 @@ class RenderJob {
     if (!options_.json.empty()) write_text(options_.json, make_json_report(options_, outcome_) + '\n');
     const Image& image = outcome_.image;
     if (options_.pixel && options_.json != "-") {
-      fmt::print("pixel {}: {:.9g} {:.9g} {:.9g}\n", *options_.pixel, image.at(0, 0, 0), image.at(0, 0, 1),
-                 image.at(0, 0, 2));
+      put("pixel {}: {:.9g} {:.9g} {:.9g}\n", *options_.pixel, image.at(0, 0, 0), image.at(0, 0, 1),
+          image.at(0, 0, 2));
     }
     if (!options_.quiet) print_summary(options_, outcome_);
   }

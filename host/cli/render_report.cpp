@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "core/print.h"
 #include "core/text.h"
 #include "scene/fingerprint.h"
 #include "version.h"
@@ -94,23 +95,22 @@ std::string make_json_report(const RenderOptions& options, const RenderOutcome& 
 
 void print_summary(const RenderOptions& options, const RenderOutcome& o) {
   const RenderStatistics& s = o.statistics;
-  fmt::print(stderr, "{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", options.scene,
-             o.scene.integrator.type.name, o.scene.triangle_count(), o.image.width(), o.image.height(),
-             samples_per_pixel(o.settings), o.interrupted ? " (interrupted)" : "");
-  fmt::print(stderr, "{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.device,
-             with_unit_prefix(per_second(s, s.samples)) + " ",
-             with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());
-  if (!o.files.empty()) fmt::print(stderr, "wrote {}\n", fmt::join(o.files, " and "));
+  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", options.scene, o.scene.integrator.type.name,
+      o.scene.triangle_count(), o.image.width(), o.image.height(), samples_per_pixel(o.settings),
+      o.interrupted ? " (interrupted)" : "");
+  say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.device,
+      with_unit_prefix(per_second(s, s.samples)) + " ",
+      with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());
+  if (!o.files.empty()) say("wrote {}\n", fmt::join(o.files, " and "));
 }
 
 void print_failings(const RenderStatistics& s) {
   if (s.bad_samples > 0) {
-    fmt::print(stderr, "warning: {} samples were dropped: NaN, infinite or negative\n", s.bad_samples);
+    say("warning: {} samples were dropped: NaN, infinite or negative\n", s.bad_samples);
   }
   if (s.bound_hits > 0) {
-    fmt::print(stderr,
-               "warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n",
-               s.bound_hits);
+    say("warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n",
+        s.bound_hits);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "cli/test_report.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
+#include "core/print.h"
 #include "image/files.h"
 #include "scene/test_reader.h"
 
@@ -49,7 +50,7 @@ class TestJob {
     for (std::size_t i = 0; i < tests_.size() && !was_interrupted(); ++i)
       run_file(options_.files[i], tests_[i], *runner);
     const std::vector<std::string> faults = runner->faults();
-    for (const std::string& fault : faults) fmt::print(stderr, "facet: {}\n", fault);
+    for (const std::string& fault : faults) say("facet: {}\n", fault);
     write_reports(runner->name());
     if (was_interrupted()) return ExitCode::interrupted;
     return passed() == cases_.size() && faults.empty() ? ExitCode::done : ExitCode::check_failed;
@@ -78,7 +79,7 @@ class TestJob {
   }
 
   void run_file(const std::string& file, const StatisticalTest& test, TestRunner& runner) {
-    if (!options_.quiet) fmt::print(stderr, "{}: {} cases on {}\n", file, test.case_count(), runner.name());
+    if (!options_.quiet) say("{}: {} cases on {}\n", file, test.case_count(), runner.name());
     std::size_t number = 0;
     double start = seconds_since_start();
     statistics::run_test(test, runner.backend(), options_.seed, [&](const statistics::TestCase& result) {
@@ -105,7 +106,7 @@ class TestJob {
     cases_.push_back(std::move(reported));
     if (options_.json == "-") return;
     const ReportedCase& last = cases_.back();
-    fmt::print("{}{}\n", case_line(last), last.picture.empty() ? "" : "; histograms in " + last.picture);
+    put("{}{}\n", case_line(last), last.picture.empty() ? "" : "; histograms in " + last.picture);
     std::fflush(stdout);
   }
 
@@ -115,7 +116,7 @@ class TestJob {
   }
 
   void write_reports(const std::string& backend) const {
-    if (options_.json != "-") fmt::print("{} of {} passed\n", passed(), cases_.size());
+    if (options_.json != "-") put("{} of {} passed\n", passed(), cases_.size());
     if (!options_.junit.empty()) write_text(options_.junit, junit_report(cases_));
     if (!options_.json.empty()) write_text(options_.json, json_report(cases_, backend, options_.seed) + '\n');
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/print.h"
+
 namespace facet::cli {
 
 namespace {
@@ -67,7 +69,7 @@ void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
 }
 
 void print_warnings(const Diagnostics& diagnostics) {
-  for (const std::string& warning : diagnostics.warnings()) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : diagnostics.warnings()) say("warning: {}\n", warning);
 }
 
 }  // namespace facet::cli

@@ -1,28 +1,57 @@
 #pragma once
 // A file that appears under its name only when it is whole.
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace facet {
 
-/// Hands out a temporary path beside the target; commit() renames it, the destructor removes what was not
-/// committed. A target that is a device or a pipe is its own temporary path, and stays.
+/// Writes to a temporary file beside the target; commit() gives it the target's name once all of it is on the
+/// disk, the destructor removes what was not committed. What stood under that name stays as it was until
+/// then. The temporary file's name cannot be guessed, and no file or link of that name is followed; those
+/// that a killed program left in the folder an hour ago or earlier are removed. A target that is a device or
+/// a pipe is written to directly, and stays.
 class AtomicFile {
  public:
+  /// Throws InputError where the folder is missing or takes no file.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  [[nodiscard]] const std::filesystem::path& temporary() const noexcept { return temporary_; }
   /// Whether the target is a device or a pipe.
   [[nodiscard]] bool in_place() const noexcept { return in_place_; }
-  /// Throws InputError where the file cannot take the target's name.
+  /// The open file; -1 for a pipe that nothing has been written to, since opening one waits for its reader.
+  [[nodiscard]] int descriptor();
+
+  /// Writes at the present position. Throws InputError where not all of it could be written, and commit()
+  /// will then throw again: writers that swallow exceptions, as destructors do, cannot commit a damaged file.
+  void write(const void* data, std::size_t size);
+  void write(const std::string& text) { write(text.data(), text.size()); }
+  /// Throws InputError if anything written so far could not be.
+  void check() {
+    if (error_ != 0) fail(error_);
+  }
+  [[nodiscard]] std::uint64_t position();
+  void seek(std::uint64_t position);
+
+  /// Syncs file and folder. Throws InputError where the file cannot be completed or cannot take the target's
+  /// name.
   void commit();
 
+  /// Removes the temporary file of this process, if there is one just now. For signal handlers:
+  /// async-signal-safe.
+  static void remove_unfinished() noexcept;
+
  private:
+  [[noreturn]] void fail(int error);
+
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   bool in_place_ = false;
+  int descriptor_ = -1;
+  int error_ = 0;  ///< errno of the first failure
 };
 
 }  // namespace facet

@@ -2,6 +2,7 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
@@ -76,6 +77,19 @@ auto read_file(const std::filesystem::path& path, const Read& read) {
   }
 }
 
+/// What OpenEXR writes goes through the file, which remembers a failure that OpenEXR's destructors swallow.
+class ExrStream : public Imf::OStream {
+ public:
+  ExrStream(AtomicFile& file, const std::filesystem::path& path) : OStream(path.c_str()), file_(file) {}
+
+  void write(const char* data, int size) override { file_.write(data, static_cast<std::size_t>(size)); }
+  std::uint64_t tellp() override { return file_.position(); }
+  void seekp(std::uint64_t position) override { file_.seek(position); }
+
+ private:
+  AtomicFile& file_;
+};
+
 }  // namespace
 
 Image read_exr(const std::filesystem::path& path) { return read_file(path, read_pixels); }
@@ -100,10 +114,13 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   }
   AtomicFile file(path);
   try {
-    Imf::OutputFile out(file.temporary().c_str(), header, static_cast<int>(thread_count()));
+    ExrStream stream(file, path);
+    Imf::OutputFile out(stream, header, static_cast<int>(thread_count()));
     out.setFrameBuffer(buffer);
     out.writePixels(image.height());
   } catch (const std::exception& e) {
+    // The file knows best why.
+    file.check();
     throw InputError(fmt::format("{}: cannot write: {}", path.string(), e.what()));
   }
   file.commit();

@@ -36,20 +36,10 @@ void check_file_image_size(const std::filesystem::path& path, long long width, l
 }
 
 void check_writable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: cannot write: is a folder", path.string()));
   const AtomicFile file(path);
   // Opening a pipe would wait for its reader.
-  if (file.in_place()) {
-    if (::access(path.c_str(), W_OK) != 0)
-      throw InputError(fmt::format("{}: cannot write: no permission", path.string()));
-    return;
-  }
-  if (!std::ofstream(file.temporary())) {
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const char* why = std::filesystem::is_directory(folder) ? "no permission" : "no such folder";
-    throw InputError(fmt::format("{}: cannot write: {}", path.string(), why));
-  }
+  if (file.in_place() && ::access(path.c_str(), W_OK) != 0)
+    throw InputError(fmt::format("{}: cannot write: no permission", path.string()));
 }
 
 }  // namespace facet

@@ -1,11 +1,11 @@
 #include <png.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
 #include "core/error.h"
 #include "image/atomic_file.h"
@@ -88,18 +88,21 @@ Image read_png(const std::filesystem::path& path) {
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);
   AtomicFile file(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.temporary().c_str(), "wb"),
-                                                            &std::fclose);
-  if (!out) throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(errno)));
+  std::FILE* out = ::fdopen(::dup(file.descriptor()), "wb");
+  if (out == nullptr)
+    throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(errno)));
   PngFile png;
   png.width = static_cast<png_uint_32>(image.width());
   png.height = static_cast<png_uint_32>(image.height());
   png.format = PNG_FORMAT_RGB;
-  const bool written = png_image_write_to_stdio(&png, out.get(), 0, pixels.data(), 0, nullptr) != 0;
-  if (!written || std::fflush(out.get()) != 0) {
+  errno = 0;
+  const bool written = png_image_write_to_stdio(&png, out, 0, pixels.data(), 0, nullptr) != 0;
+  int error = errno;
+  const bool closed = std::fclose(out) == 0;
+  if (written && !closed) error = errno;
+  if (!written || !closed)
     throw InputError(
-        fmt::format("{}: cannot write: {}", path.string(), written ? std::strerror(errno) : png.message));
-  }
+        fmt::format("{}: cannot write: {}", path.string(), error != 0 ? std::strerror(error) : png.message));
   file.commit();
 }
 

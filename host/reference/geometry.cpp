@@ -1,5 +1,8 @@
 #include "reference/geometry.h"
 
+#include <algorithm>
+#include <array>
+
 namespace facet::reference {
 
 namespace {
@@ -7,6 +10,14 @@ namespace {
 /// Unit normal of a triangle; sizes that would under- or overflow in the products are taken out first.
 dvec3 winding_normal(const dvec3& a, const dvec3& b, const dvec3& c) {
   return unit(glm::cross(unit(b - a), unit(c - a)));
+}
+
+/// Triangle::tilt. n: the normal.
+dvec3 tilt_of(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& n) {
+  std::array<dvec3, 3> edges{b - a, c - b, a - c};
+  std::ranges::sort(edges, {}, [](const dvec3& e) { return glm::length(e); });
+  const double sine = glm::length(glm::cross(unit(edges[0]), unit(edges[1])));
+  return unit(glm::cross(n, edges[2])) / sine;
 }
 
 }  // namespace
@@ -29,7 +40,10 @@ Geometry<Real>::Geometry(const Scene& scene) {
         box.add(p);
         t.magnitude = std::max(t.magnitude, largest_component(Vec3<Real>(p)));
       }
-      t.normal = winding_normal(dvec3(t.vertices[0]), dvec3(t.vertices[1]), dvec3(t.vertices[2]));
+      const std::array corners{dvec3(t.vertices[0]), dvec3(t.vertices[1]), dvec3(t.vertices[2])};
+      const dvec3 normal = winding_normal(corners[0], corners[1], corners[2]);
+      t.normal = normal;
+      t.tilt = tilt_of(corners[0], corners[1], corners[2], normal);
       t.mesh = m;
       t.index = i;
       bounds.add(box);

@@ -12,6 +12,7 @@ struct Surface {
   Vec2<Real> uv{0};    ///< where the scene has textures
   Real magnitude = 0;  ///< largest absolute coordinate of the triangle's vertices
   std::uint32_t mesh = 0;
+  std::uint32_t index = 0;  ///< of the triangle within the mesh
 
   /// Where a ray that leaves in direction d starts (docs/sampling.md, "Ray offset"). which: number of the
   /// decision.
@@ -48,9 +49,10 @@ template <typename Real, typename Probe>
   Surface<Real> s;
   s.position =
       probe.nudged(b0 * triangle.vertices[0] + b1 * triangle.vertices[1] + b2 * triangle.vertices[2]);
-  s.ng = s.ns = probe.nudged(triangle.normal);
+  s.ng = s.ns = probe.nudged(triangle.normal + triangle.tilt * (probe.nudged(Real(1)) - 1));
   s.magnitude = triangle.magnitude;
   s.mesh = triangle.mesh;
+  s.index = triangle.index;
   const Mesh& mesh = scene.meshes[triangle.mesh];
   if (!scene.textures.empty())
     s.uv = texture_coordinates(mesh, triangle.index, Vec3<Real>(b0, b1, b2), probe);

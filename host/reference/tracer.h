@@ -195,16 +195,19 @@ class Tracer {
   }
 
   /// Whether a path goes on after interaction k; divides its throughput by the probability.
-  [[nodiscard]] bool survives(Path& path, std::uint32_t k, Real u) {
+  [[nodiscard]] bool survives(Path& path, std::uint32_t k, std::uint32_t word) {
     if (!integrator_.type.every_emitter && k < shared::ROULETTE_FIRST) return true;
     probe_.uses(Part::roulette, 0);
     auto q = static_cast<Real>(0.95);
     if (!integrator_.type.every_emitter) {
       const Vec3<Real>& t = path.throughput;
-      q = std::min(q, probe_.nudged(path.eta2 * std::max({t.x, t.y, t.z})));
+      q = std::min(1 - 2 / static_cast<Real>(k + 60), probe_.nudged(path.eta2 * std::max({t.x, t.y, t.z})));
     }
-    path.throughput /= q;
-    return probe_.decide(DecisionKind::roulette, 0, u < q, static_cast<double>(q - u));
+    // A whole number of words, of which there are 2^32.
+    const double words = std::max(1.0, std::floor(std::ldexp(static_cast<double>(q), 32)));
+    path.throughput /= static_cast<Real>(std::ldexp(words, -32));
+    const auto margin = std::ldexp(words - static_cast<double>(word), -32);
+    return probe_.decide(DecisionKind::roulette, 0, static_cast<double>(word) < words, margin);
   }
 
   /// What a ray finds: emission, weighted by how else it would have been found.
@@ -277,7 +280,7 @@ class Tracer {
     if (path.throughput == Vec3<Real>(0)) return false;
     path.pdf = sample.pdf;
     path.eta2 *= sample.eta2;
-    if (!survives(path, k, block.number<Real>(shared::BSDF_ROULETTE))) return false;
+    if (!survives(path, k, block.word(shared::BSDF_ROULETTE))) return false;
     const Vec3<Real> d = probe_.nudged(at.frame.to_world(probe_.nudged(sample.wi)));
     path.ray = {at.surface.origin_towards(d, 2, probe_), d};
     return true;

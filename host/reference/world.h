@@ -18,9 +18,15 @@ class World {
   World(const Scene& parsed, LobeSampling lobes)
       : scene(parsed), geometry(parsed), camera(parsed.camera), lobes_(lobes) {
     std::vector<double> weights;
+    double total = 0;
     for (const Emitter& emitter : parsed.emitters) {
-      const double power = add_emitter(emitter);
-      weights.push_back(parsed.emitter_selection == EmitterSelection::uniform && power > 0 ? 1 : power);
+      weights.push_back(add_emitter(emitter));
+      total += weights.back();
+    }
+    const auto shining = static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
+    for (double& w : weights) {
+      if (!(w > 0)) continue;
+      w = (parsed.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
     }
     choice_ = Choice(weights);
   }

@@ -10,8 +10,8 @@ namespace facet {
 
 namespace {
 
-/// Mean over each cell [x, x + 1) x [y, y + 1) of the bilinearly interpolated luminance: of the texels at its corners, so that
-/// it is positive wherever the interpolated value is.
+/// Mean over each cell [x, x + 1) x [y, y + 1) of the bilinearly interpolated luminance: of the texels at its
+/// corners, so that it is positive wherever the interpolated value is.
 std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   const auto w = static_cast<std::size_t>(e.width);
   const auto h = static_cast<std::size_t>(e.height);
@@ -22,7 +22,8 @@ std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
       return static_cast<double>(luminance(e.texels[row * w + x])) +
              static_cast<double>(luminance(e.texels[row * w + (x + 1) % w]));
     };
-    for (std::size_t x = 0; x < w; ++x) cells[y * w + x] = 0.25 * (pair(y, x) + pair(std::min(y + 1, h - 1), x));
+    for (std::size_t x = 0; x < w; ++x)
+      cells[y * w + x] = 0.25 * (pair(y, x) + pair(std::min(y + 1, h - 1), x));
   }
   return cells;
 }

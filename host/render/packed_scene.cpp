@@ -56,6 +56,7 @@ class Packer {
     for (std::uint32_t m = 0; m < scene_.meshes.size(); ++m) {
       const Mesh& mesh = scene_.meshes[m];
       first_source_.push_back(sources_.size());
+      first_id_.push_back(id);
       for (std::uint32_t i = 0; i < mesh.position_indices.size(); ++i, ++id) {
         // A triangle without area cannot be hit, and would only make normals that do not exist.
         if (triangle_area(mesh, i) == 0) continue;
@@ -114,30 +115,32 @@ class Packer {
     }
   }
 
-  /// Triangles of each area emitter with their cumulative counts; returns the emitter's area.
+  /// Triangles of each area emitter with their cumulative counts and densities; returns the emitter's area.
   double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
-    record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
-    std::vector<double> areas;
-    for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s) {
-      areas.push_back(triangle_area(scene_.meshes[mesh], sources_[s].index));
-      packed_.emitter_triangles.push_back({0, packed_.bvh.places[s]});
-    }
+    const Mesh& source = scene_.meshes[mesh];
+    std::vector<double> areas(source.position_indices.size());
+    double total = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i) total += areas[i] = triangle_area(source, i);
     const std::vector<std::uint32_t> counts = cumulative_counts(areas);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-      packed_.emitter_triangles[record.first_triangle + i].cumulative = counts[i];
+    record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
     record.triangle_count = static_cast<std::uint32_t>(counts.size());
+    record.first_index = first_id_[mesh];
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const double density = areas[i] > 0 ? choice_probability(counts, i) / areas[i] : 0;
+      packed_.emitter_triangles.push_back({counts[i], 0, static_cast<float>(std::min(density, 1e38)), 0});
+    }
+    for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s)
+      packed_.emitter_triangles[record.first_triangle + sources_[s].index].triangle = packed_.bvh.places[s];
     // Kernels without branches look at the first triangle even of an emitter that has none and is never
     // chosen.
     if (counts.empty()) record.first_triangle = 0;
-    double total = 0;
-    for (const double area : areas) total += area;
     return total;
   }
 
   /// Returns the weight with which the emitter is chosen under power selection: its power in W.
   double pack_area_emitter(const AreaEmitter& e, shared::EmitterRecord& record) {
     const double area = pack_emitter_triangles(e.mesh, record);
-    record.radiance = glm::vec4(e.radiance, static_cast<float>(area));
+    record.radiance = glm::vec4(e.radiance, 0);
     record.texture = e.texture;
     return std::numbers::pi * area * luminance(scene_.mean_radiance(e));
   }
@@ -162,17 +165,31 @@ class Packer {
     return 4 * std::numbers::pi * std::numbers::pi * radius * radius * packed_.environment.mean_luminance;
   }
 
+  /// Turns powers into the weights of the scene's way to choose emitters (docs/sampling.md, "Emitter
+  /// sample").
+  void select_emitters(std::vector<double>& weights) const {
+    double total = 0;
+    double positive = 0;
+    for (const double power : weights) {
+      total += power;
+      if (power > 0) ++positive;
+    }
+    const bool by_power = scene_.emitter_selection == EmitterSelection::power;
+    for (double& weight : weights) {
+      if (weight > 0) weight = (by_power ? weight / total : 0) + 1 / positive;
+    }
+  }
+
   void pack_emitters() {
     std::vector<double> weights;
     for (const Emitter& emitter : scene_.emitters) {
       shared::EmitterRecord record{};
       record.type = static_cast<std::uint32_t>(emitter.index());
       record.texture = none;
-      double weight = pack_emitter(emitter, record);
-      if (scene_.emitter_selection == EmitterSelection::uniform && weight > 0) weight = 1;
-      weights.push_back(weight);
+      weights.push_back(pack_emitter(emitter, record));
       packed_.emitters.push_back(record);
     }
+    select_emitters(weights);
     const std::vector<std::uint32_t> counts = cumulative_counts(weights);
     for (std::size_t i = 0; i < counts.size(); ++i) {
       packed_.emitters[i].cumulative = counts[i];
@@ -226,6 +243,7 @@ class Packer {
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
   std::vector<std::size_t> first_source_;  ///< of each mesh, and the end
+  std::vector<std::uint32_t> first_id_;    ///< of each mesh
   std::vector<TriangleCorners> corners_;
 };
 

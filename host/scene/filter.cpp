@@ -16,15 +16,12 @@ double value(const GaussianFilter& f, double x) {
 
 double value(const MitchellFilter& f, double x) {
   const double t = 2 * std::abs(x) / f.radius;
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  if (t < 1) return ((12 - 9 * f.b - 6 * f.c) * t3 + (-18 + 12 * f.b + 6 * f.c) * t2 + (6 - 2 * f.b)) / 6;
-  if (t < 2) {
-    return ((-f.b - 6 * f.c) * t3 + (6 * f.b + 30 * f.c) * t2 + (-12 * f.b - 48 * f.c) * t +
-            (8 * f.b + 24 * f.c)) /
-           6;
+  if (t < 1) {
+    return ((12 - 9 * f.b - 6 * f.c) * t * t * t + (-18 + 12 * f.b + 6 * f.c) * t * t + (6 - 2 * f.b)) / 6;
   }
-  return 0;
+  // In factors, so that its sign is right up to the end.
+  const double left = 2 - t;
+  return left > 0 ? left * left * (f.b * left - 6 * f.c * (t - 1)) / 6 : 0;
 }
 
 double value(const TentFilter&, double x) { return std::max(0.0, 1 - std::abs(x)); }
@@ -52,6 +49,19 @@ double filter_radius(const Filter& filter) {
 
 double filter_value(const Filter& filter, double x) {
   return std::visit([x](const auto& f) { return value(f, x); }, filter);
+}
+
+bool is_bell(const Filter& filter) {
+  constexpr int steps = 4096;
+  bool negative = false;
+  double integral = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double v = filter_value(filter, filter_radius(filter) * (i + 0.5) / steps);
+    if (negative && v > 0) return false;
+    negative = negative || v < 0;
+    integral += v;
+  }
+  return integral > 0;
 }
 
 bool ends_negative(const Filter& filter) {

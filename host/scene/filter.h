@@ -24,9 +24,11 @@ struct GaussianFilter {
    | parameter | default | meaning                                        |
    |-----------|---------|------------------------------------------------|
    | radius    | 2       | pixels, 0.01 to 100; in the paper 2            |
-   | B, C      | 1/3     | the paper's parameters, -10 to 10              |
+   | B, C      | 1/3     | the paper's parameters                         |
 
-   Negative in parts: such samples are subtracted. */
+   Negative in parts: such samples are subtracted. B and C may be any for which it is positive at the centre,
+   changes its sign once at most on the way out, and has a positive integral: B from 0 to 1 with C from 0 to 1
+   are among them. */
 struct MitchellFilter {
   double radius = 2;
   double b = 1.0 / 3;
@@ -46,6 +48,10 @@ using Filter = std::variant<GaussianFilter, MitchellFilter, TentFilter, BoxFilte
 
 /// Value at x pixels from the centre; not normalised.
 [[nodiscard]] double filter_value(const Filter& filter, double x);
+
+/// Whether the filter is positive at its centre and changes its sign once at most on its way out, which is
+/// what sampling it takes for granted.
+[[nodiscard]] bool is_bell(const Filter& filter);
 
 /// Whether the filter is negative where it ends.
 [[nodiscard]] bool ends_negative(const Filter& filter);

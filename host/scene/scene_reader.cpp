@@ -61,6 +61,10 @@ Filter SceneReader::read_filter(const pugi::xml_node& node) {
     f.b = p.real_between("B", f.b, -10, 10);
     f.c = p.real_between("C", f.c, -10, 10);
     filter = f;
+    if (!is_bell(filter))
+      p.fail("C", fmt::format("with B = {} and C = {} the filter is not positive first and negative beyond; "
+                              "B from 0 to 1 and C from 0 to 1 are usual",
+                              f.b, f.c));
   } else if (p.type() == "tent") {
     filter = TentFilter{};
   } else if (p.type() == "box") {

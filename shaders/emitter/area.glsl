@@ -6,7 +6,7 @@
    | scale     | 1       | factor on it                                       |
 
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
-   angle is d^2 / (A |ng.w|) with the geometric normal ng. */
+   angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the probability of the triangle and A its area. */
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/surface.glsl"
@@ -20,11 +20,12 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 
-/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen.
+/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen. s lies on the emitter.
 float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
   float c = abs(dot3(s.ng, d));
+  float density = fetch_emitter_triangle(e.first_triangle + (s.index - e.first_index)).density;
   // Finite, so that the MIS weight of a vanishing emitter is no quotient of infinities.
-  return c > 0.0 ? min((distance / e.radiance.w) * (distance / c), 1.0e37) : 0.0;
+  return c > 0.0 ? min((distance * density) * (distance / c), 1.0e37) : 0.0;
 }
 
 #define FACET_TRIANGLE_COUNT(i) fetch_emitter_triangle(i).cumulative

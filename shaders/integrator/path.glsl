@@ -18,7 +18,24 @@
 #include "../lib/bsdf.glsl"
 #include "../lib/emitter.glsl"
 
-const float ROULETTE_MAX_SURVIVAL = 0.95;
+/// With every emitter sampled, as in Nori.
+const float WHITTED_SURVIVAL = 0.95;
+
+/// Probability that a path goes on after interaction k, and the number of words that let it.
+struct Survival {
+  float probability;
+  uint words;  // 0: all
+};
+
+/// The probability becomes a whole number of words, so that it is the one that is used.
+Survival survival_of(float q) {
+  if (q >= 1.0) return Survival(1.0, 0u);
+  uint words = max(uint(max(q, 0.0) * 4294967296.0), 1u);
+  return Survival(float(words) * 2.3283064365386963e-10, words);
+}
+
+/// Largest probability of going on (docs/sampling.md, "Roulette").
+float largest_survival(uint k) { return 1.0 - 2.0 / float(k + 60u); }
 
 /// Weight of a sample of density `used` where `other` would have sampled it too.
 float mis_weight(float used, float other) {
@@ -56,20 +73,21 @@ void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cos
 }
 
 /// The ray that continues the path from s at interaction k along a sample of the BSDF.
-void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, float u_roulette, uint k) {
+void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, uint roulette_bits, uint k) {
   vec3 throughput = step.path.throughput.rgb * b.weight;
   step.path.radiance.w *= b.eta2;
-  float survival = 1.0;
+  float q = 1.0;
   if (ROULETTE) {
     float largest = max(throughput.x, max(throughput.y, throughput.z));
     largest *= step.path.radiance.w;
-    survival = k >= ROULETTE_FIRST ? min(ROULETTE_MAX_SURVIVAL, largest) : 1.0;
+    q = k >= ROULETTE_FIRST ? min(largest_survival(k), largest) : 1.0;
   }
-  if (EVERY_EMITTER) survival = ROULETTE_MAX_SURVIVAL;
-  bool survives = u_roulette < survival;
+  if (EVERY_EMITTER) q = WHITTED_SURVIVAL;
+  Survival survival = survival_of(q);
+  bool survives = survival.words == 0u || roulette_bits < survival.words;
   bool dark = throughput.x == 0.0 && throughput.y == 0.0 && throughput.z == 0.0;
   vec3 d = to_world(shading, b.wi);
-  step.path.throughput = vec4(throughput / survival, b.pdf);
+  step.path.throughput = vec4(throughput / survival.probability, b.pdf);
   step.next.origin = vec4(offset_ray_origin(s.position, s.magnitude, s.ng, d), 0.0);
   step.next.direction = vec4(d, LARGEST);
   step.alive = step.alive && survives && !dark;
@@ -119,6 +137,6 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   // After the last interaction only emission is looked for, which emitter sampling alone needs at delta lobes only.
   bool delta = HAS_FLAG(bsdf.flags, BSDF_DELTA);
   step.alive = scatters && (MATERIAL_SAMPLING || delta || (k < frame.max_depth && !EVERY_EMITTER));
-  continue_path(step, s, shading, answers.next, unit_float(bits[BSDF_ROULETTE]), k);
+  continue_path(step, s, shading, answers.next, bits[BSDF_ROULETTE], k);
   return step;
 }

@@ -67,8 +67,8 @@ EmitterRecord fetch_emitter(uint i) {
 uint fetch_emitter_cumulative(uint i) { return emitter_texel(4u * i + 2u).y; }
 
 EmitterTriangle fetch_emitter_triangle(uint i) {
-  uvec4 two = emitter_triangles_texel(i / 2u);
-  return i % 2u == 0u ? EmitterTriangle(two.x, two.y) : EmitterTriangle(two.z, two.w);
+  uvec4 t = emitter_triangles_texel(i);
+  return EmitterTriangle(t.x, t.y, uintBitsToFloat(t.z), t.w);
 }
 
 EnvironmentRow fetch_environment_row(uint i) {

@@ -13,6 +13,7 @@ struct Surface {
   vec3 ns;         // shading normal, unit: interpolated where the mesh has vertex normals
   vec2 uv;         // texture coordinates, where the scene has textures
   uint mesh;
+  uint index;  // of the triangle in the scene, in order of reading
 };
 
 vec3 fetch_normal(uint i) { return uintBitsToFloat(normal_texel(i).xyz); }
@@ -46,6 +47,7 @@ Surface surface_at(uint triangle, float b1, float b2) {
   s.ng = triangle_normal(v0, v1, v2);
   s.ns = s.ng;
   s.mesh = name.mesh;
+  s.index = name.index;
   uint attributes = SHADING_NORMALS || TEXTURE_KINDS != 0u ? fetch_mesh(s.mesh).attributes : NONE;
   bool listed = attributes != NONE;
   uint index = listed ? name.index - attributes : 0u;

@@ -101,23 +101,25 @@ struct TextureRecord {
 };
 
 struct EmitterRecord {
-  vec4 radiance;    // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1); w: area in m^2 (area emitters)
-  vec4 position;    // world space (point lights)
-  uint type;        // id of emitter_list.h
-  uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
-                    // (docs/sampling.md)
-  uint first_triangle;  // range of emitter_triangles
+  vec4 radiance;        // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1)
+  vec4 position;        // world space (point lights)
+  uint type;            // id of emitter_list.h
+  uint cumulative;      // the emitter is chosen by the words below this and not below its predecessor's
+                        // (docs/sampling.md)
+  uint first_triangle;  // range of emitter_triangles: all triangles of the mesh, in order of reading
   uint triangle_count;
   float probability;  // of being chosen
   uint texture;       // its value is a factor on the radiance; NONE: none
-  uint unused0;
+  uint first_index;   // index in the scene of the mesh's first triangle
   uint unused1;
 };
 
-/// One triangle of an area emitter: x: cumulative count of bits within its mesh, y: index of the Triangle.
+/// One triangle of an area emitter's mesh.
 struct EmitterTriangle {
-  uint cumulative;
-  uint triangle;
+  uint cumulative;  // it is chosen by the words below this and not below its predecessor's
+  uint triangle;    // its place in the BVH
+  float density;    // of its points, m^-2: the probability of its choice over its area
+  uint unused0;
 };
 
 /// A row of cells of the environment's sampling density; y is the direction's y.
@@ -235,7 +237,7 @@ FACET_SHARED_END
 namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
-static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 8);
+static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 16);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);

@@ -137,6 +137,18 @@ TEST(PointLight, lights_a_diffuse_floor_exactly) {
     expect_radiance(scene, integrator, 4096, expected + dvec3(0.6 / std::numbers::pi * irradiance_of_one));
 }
 
+/// A point light above a ground so large that its sky has all the power: by power alone the light would never
+/// be asked.
+TEST(PointLight, is_seen_however_large_the_scene_is) {
+  Scene scene = make_scene("path_mis");
+  add_mesh(scene, make_quad({-1e4, 0, -1e4}, {-1e4, 0, 1e4}, {1e4, 0, 1e4}, {1e4, 0, -1e4}),
+           bsdf::Diffuse{Color(0.5F)});
+  scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(1)}});
+  scene.emitters.emplace_back(PointLight{{0, 3, 0}, Color(1000)});
+  set_camera(scene, 4, 0.01, {0, 2, -2}, {0, 0, 0});
+  expect_radiance(scene, "path_mis", 16384, dvec3(0.5 + 0.5 / std::numbers::pi * 1000 / 9));
+}
+
 TEST(Simple, is_energy_over_four_pi_squared_by_cosine_and_distance) {
   Scene scene = make_scene("simple");
   add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Mirror{});
@@ -190,12 +202,13 @@ TEST(Textures, an_image_is_seen_texel_by_texel_mirrored_in_u_as_in_nori) {
   bitmap.height = 2;
   bitmap.texels = {0x000000, 0x0000ff, 0x00ff00, 0xff0000};  // black, red / green, blue
   bitmap.factor = Color(0.5F);
-  // A small camera looks at the centre of each texel, where interpolation leaves it alone.
+  // A small camera looks at the place of each texel, where interpolation leaves it alone: (0, 0) is a corner
+  // of the screen.
   const std::array<Color, 4> expected{Color(0), Color(1, 0, 0), Color(0, 1, 0), Color(0, 0, 1)};
   for (int i = 0; i < 4; ++i) {
     Scene scene = textured_screen(bitmap, 1);
-    const double x = i % 2 == 0 ? 0.5 : -0.5;  // texel x grows with 1 - u
-    const double y = i / 2 == 0 ? 0.5 : -0.5;
+    const double x = i % 2 == 0 ? 0.99999 : 0;  // texel x grows with 1 - u
+    const double y = i / 2 == 0 ? 0.99999 : 0;
     set_camera(scene, 1, 0.001, {x, y, 1}, {x, y, 0});
     const Image image = render(scene, 4).image;
     for (int c = 0; c < 3; ++c)
@@ -203,14 +216,14 @@ TEST(Textures, an_image_is_seen_texel_by_texel_mirrored_in_u_as_in_nori) {
   }
 }
 
-// Colours of 8 bits are linear unless sRGB is asked for; between two centres the mean is seen.
+// Colours of 8 bits are linear unless sRGB is asked for; half way between two texels the mean is seen.
 TEST(Textures, interpolation_and_decoding) {
   BitmapTexture bitmap;
   bitmap.width = 2;
   bitmap.height = 1;
   bitmap.texels = {0x000080, 0x0000ff};
   Scene scene = textured_screen(bitmap, 1);
-  set_camera(scene, 1, 0.0001, {0, 0, 1}, {0, 0, 0});
+  set_camera(scene, 1, 0.0001, {0.5, 0, 1}, {0.5, 0, 0});
   EXPECT_NEAR(render(scene, 1).image.at(0, 0, 0), 128 / 255.0 + 1, 1e-4);
   std::get<BitmapTexture>(scene.textures[0]).srgb = true;
   EXPECT_NEAR(render(scene, 1).image.at(0, 0, 0), std::pow((128 / 255.0 + 0.055) / 1.055, 2.4) + 1, 1e-4);
@@ -223,11 +236,11 @@ double irradiance_of_texel(int width, int height, int column, int row) {
   double sum = 0;
   constexpr int steps = 400;
   for (int j = 0; j < 2 * steps; ++j) {
-    const double y = row - 0.5 + (j + 0.5) / steps;  // image coordinate, the texel's centre at row + 0.5
+    const double y = row - 1 + (j + 0.5) / steps;  // image coordinate
     const double theta = std::numbers::pi * (1 - y / height);
     for (int i = 0; i < 2 * steps; ++i) {
-      const double x = column - 0.5 + (i + 0.5) / steps;
-      sum += tent(x - column - 0.5) * tent(y - row - 0.5) * std::max(0.0, std::cos(theta)) * std::sin(theta);
+      const double x = column - 1 + (i + 0.5) / steps;
+      sum += tent(x - column) * tent(y - row) * std::max(0.0, std::cos(theta)) * std::sin(theta);
     }
   }
   const double cell = (2 * std::numbers::pi / width) * (std::numbers::pi / height) / (steps * steps);
@@ -243,6 +256,34 @@ TEST(Environment, of_one_bright_texel_lights_a_floor) {
   set_camera(scene, 4, 1, {-3, 4, 0}, {0, 0, 0});
   const dvec3 expected = dvec3(100, 50, 25) * (0.6 / std::numbers::pi * irradiance_of_texel(16, 8, 5, 6));
   for (const std::string& integrator : all_estimators()) expect_radiance(scene, integrator, 16384, expected);
+}
+
+/// An emitter of 500,000 triangles of which each has less than a word's share of the area: another one, large
+/// and facing away, has the rest. The density of a sample must be the probability with which it was taken.
+TEST(AreaLight, of_very_unequal_triangles_has_the_density_that_is_used) {
+  constexpr int n = 500;
+  std::vector<vec3> corners;
+  const auto at = [](int i, int j) {
+    return vec3(static_cast<float>(i) / n - 0.5F, 1, static_cast<float>(j) / n - 0.5F);
+  };
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      corners.insert(corners.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      corners.insert(corners.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  corners.insert(corners.end(), {{-100, 9, -100}, {-100, 9, 100}, {300, 9, -100}});
+  Scene scene = make_scene("direct_ems");
+  add_mesh(scene, make_quad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}), bsdf::Diffuse{Color(1)});
+  add_mesh(scene, make_mesh(corners), bsdf::Diffuse{Color(0)}, Color(1));
+  set_camera(scene, 8, 0.01, {0, 0.5, -0.2}, {0, 0, 0});
+  const double irradiance =
+      polygon_irradiance({dvec3(-0.5, 1, -0.5), dvec3(0.5, 1, -0.5), dvec3(0.5, 1, 0.5)}) +
+      polygon_irradiance({dvec3(-0.5, 1, -0.5), dvec3(0.5, 1, 0.5), dvec3(-0.5, 1, 0.5)});
+  const dvec3 expected(std::abs(irradiance) / std::numbers::pi);
+  EXPECT_NEAR(expected.x, 0.23946, 1e-4);
+  expect_radiance(scene, "direct_ems", 65536, expected);
+  expect_radiance(scene, "direct_mis", 256, expected);
 }
 
 TEST(SphereLight, lights_a_plane_as_its_triangles_do_and_nearly_as_a_sphere) {

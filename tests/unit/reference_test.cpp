@@ -101,7 +101,7 @@ void expect_tree_equals_brute_force() {
     const Shear<Real> shear(ray.direction);
     Hit<Real> expected{ray.t_max, none, 0, 0};
     for (std::uint32_t k = 0; k < geometry.triangles.size(); ++k) {
-      const PlaneHit<Real> plane = meet_plane(shear, ray.origin, geometry.triangles[k]);
+      const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[k]);
       if (plane.valid && plane.inside && plane.t > 0 && plane.t < expected.t) expected = {plane.t, k, 0, 0};
     }
     const Hit<Real> found = closest_hit(geometry, ray);

@@ -44,7 +44,7 @@ TEST(ReferenceTexture, images_are_mirrored_in_u_and_begin_at_the_top) {
   const BitmapTexture t = counting_map(4, 3);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 4; ++x) {
-      const Vec3<double> texel = value(t, 1 - (x + 0.5) / 4, 1 - (y + 0.5) / 3);
+      const Vec3<double> texel = value(t, 1 - x / 4.0, 1 - y / 3.0);
       EXPECT_NEAR(texel.x * 255, 10 * x, 1e-5);
       EXPECT_NEAR(texel.y * 255, 10 * y, 1e-5);
       EXPECT_EQ(texel.z, 0);
@@ -54,10 +54,10 @@ TEST(ReferenceTexture, images_are_mirrored_in_u_and_begin_at_the_top) {
 
 TEST(ReferenceTexture, images_are_bilinear_and_repeat) {
   BitmapTexture t = counting_map(4, 3);
-  EXPECT_NEAR(value(t, 1 - 1.0 / 4, 1 - 0.5 / 3).x * 255, 5, 1e-5) << "half way between two texels";
-  EXPECT_NEAR(value(t, 1 - 0.75 / 4, 1 - 0.5 / 3).x * 255, 2.5, 1e-5);
-  EXPECT_NEAR(value(t, 0, 1 - 0.5 / 3).x * 255, 15, 1e-5) << "the last column meets the first";
-  EXPECT_NEAR(value(t, 1 - 0.5 / 4, 0).y * 255, 10, 1e-5) << "the last row meets the first";
+  EXPECT_NEAR(value(t, 1 - 0.5 / 4, 1).x * 255, 5, 1e-5) << "half way between two texels";
+  EXPECT_NEAR(value(t, 1 - 0.25 / 4, 1).x * 255, 2.5, 1e-5);
+  EXPECT_NEAR(value(t, 0.5 / 4, 1).x * 255, 15, 1e-5) << "the last column meets the first";
+  EXPECT_NEAR(value(t, 1, 0.5 / 3).y * 255, 10, 1e-5) << "the last row meets the first";
   for (const double u : {0.1, 0.4, 0.95}) {
     for (const double v : {0.05, 0.5, 0.8}) {
       const Vec3<double> first = value(t, u, v);

@@ -135,6 +135,11 @@ TEST_F(SceneErrorsTest, CameraValues) {
   expect_camera_error("<float name=\"fov\" value=\"180\"/>", {"\"fov\"", "less than 180"});
   expect_camera_error("<float name=\"fov\" value=\"1.0f\"/>", {"1.0f", "not a number"});
   expect_camera_error("<float name=\"farClip\" value=\"1e-5\"/>", {"\"farClip\"", "greater than"});
+  for (const char* values :
+       {"<float name=\"B\" value=\"4\"/><float name=\"C\" value=\"0\"/>", "<float name=\"B\" value=\"10\"/>",
+        "<float name=\"C\" value=\"-1\"/><float name=\"B\" value=\"0\"/>"})
+    expect_camera_error("<rfilter type=\"mitchell\">" + std::string(values) + "</rfilter>",
+                        {"\"C\"", "with B = "});
   expect_camera_error("<float name=\"nearClip\" value=\"-1\"/>", {"\"nearClip\"", "negative"});
   expect_camera_error("<transform name=\"toWorld\"><scale value=\"0\"/></transform>",
                       {"\"toWorld\"", "invertible"});

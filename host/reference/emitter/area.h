@@ -15,15 +15,16 @@ class AreaLight {
       : scene_(scene), geometry_(geometry), radiance_(emitter.radiance), texture_(emitter.texture) {
     const Mesh& mesh = scene.meshes[emitter.mesh];
     std::vector<double> areas;
+    double area = 0;
     for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
-      const std::uint32_t place = geometry.places[geometry.first_place[emitter.mesh] + i];
-      if (place == none) continue;
-      triangles_.push_back(place);
+      triangles_.push_back(geometry.places[geometry.first_place[emitter.mesh] + i]);
       areas.push_back(triangle_area(mesh, i));
-      area_ += areas.back();
+      area += areas.back();
     }
     by_area_ = Choice(areas);
-    power_ = std::numbers::pi * area_ * static_cast<double>(luminance(scene.mean_radiance(emitter)));
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      densities_.push_back(areas[i] > 0 ? by_area_.probability(i) / areas[i] : 0);
+    power_ = std::numbers::pi * area * static_cast<double>(luminance(scene.mean_radiance(emitter)));
   }
 
   /// Weight of power selection, W of white light.
@@ -41,8 +42,8 @@ class AreaLight {
 
   /// Density per solid angle of finding the point of s at a distance along d, sr^-1.
   [[nodiscard]] Real pdf(const Surface<Real>& s, const Vec3<Real>& d, Real distance) const {
-    const Real projected = static_cast<Real>(area_) * std::abs(glm::dot(s.ng, d));
-    return projected > 0 ? distance * (distance / projected) : Real(0);
+    const Real cosine = std::abs(glm::dot(s.ng, d));
+    return cosine > 0 ? distance * static_cast<Real>(densities_[s.index]) * (distance / cosine) : Real(0);
   }
 
   template <typename Probe>
@@ -69,9 +70,9 @@ class AreaLight {
   const Geometry<Real>& geometry_;
   Vec3<Real> radiance_;
   std::uint32_t texture_;
-  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> triangles_;  ///< places of the mesh's triangles
   Choice by_area_;
-  double area_ = 0;
+  std::vector<double> densities_;  ///< of points of each triangle, m^-2
   double power_ = 0;
 };
 

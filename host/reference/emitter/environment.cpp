@@ -6,7 +6,8 @@ namespace facet::reference {
 
 namespace {
 
-/// Mean of the interpolated luminance over the cell between the texels (column, row) and (column + 1, row + 1).
+/// Mean of the interpolated luminance over the cell between the texels (column, row) and (column + 1, row +
+/// 1).
 double cell_mean(const EnvironmentEmitter& map, int column, int row) {
   double sum = 0;
   for (const int y : {row, std::min(row + 1, map.height - 1)}) {
