@@ -11,6 +11,7 @@
 #include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 #include "cli/text_file.h"
 #include "cli/warnings.h"
 #include "core/print.h"
@@ -65,7 +66,7 @@ class BenchJob {
 
   ExitCode run() {
     catch_interrupts();
-    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    check_outputs({}, {options_.json, options_.html});
     std::vector<std::size_t> meshes;
     for (const std::string& text : wanted_meshes()) meshes.push_back(parse_count(text));
     std::vector<Scene> scenes;
@@ -95,9 +96,10 @@ class BenchJob {
     return is_default ? default_meshes : options_.meshes;
   }
 
-  static Scene load(const std::string& file) {
+  Scene load(const std::string& file) {
     Diagnostics diagnostics(false);
     Scene scene = read_scene(file, diagnostics);
+    check_no_input_is_written({options_.json, options_.html}, diagnostics.inputs());
     print_warnings(diagnostics);
     return scene;
   }

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/compare_page.h"
 #include "cli/comparison.h"
+#include "cli/outputs.h"
 #include "cli/text_file.h"
 #include "core/print.h"
 #include "core/text.h"
@@ -35,32 +36,14 @@ void print_table(const CompareOptions& options, const Comparison& comparison) {
   }
 }
 
-void check_outputs(const CompareOptions& options) {
-  const bool json_file = !options.json.empty() && options.json != "-";
-  const auto same = [](const std::string& a, const std::string& b) {
-    // A relative path of which nothing exists would stay relative.
-    const auto whole = [](const std::string& path) {
-      return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-    };
-    return whole(a) == whole(b);
-  };
-  if (json_file) check_writable(options.json);
+void check_files(const CompareOptions& options) {
   if (options.html == "-") throw InputError("--html needs a file; standard output carries the figures");
-  if (!options.html.empty()) {
-    check_writable(options.html);
-    if (json_file && same(options.html, options.json))
-      throw InputError(fmt::format("{}: is to be written twice", options.html));
-  }
-  for (const std::string& output : {options.json, options.html}) {
-    for (const std::string& input : {options.image, options.reference}) {
-      if (!output.empty() && output != "-" && same(input, output))
-        throw InputError(fmt::format("{}: is to be read and written", output));
-    }
-  }
+  check_outputs({}, {options.json, options.html});
+  check_no_input_is_written({options.json, options.html}, {options.image, options.reference});
 }
 
 ExitCode compare(const CompareOptions& options) {
-  check_outputs(options);
+  check_files(options);
   const Comparison comparison = compare_images(options);
   if (!options.html.empty()) write_compare_page(options.html, options, comparison);
   if (options.json.empty()) {

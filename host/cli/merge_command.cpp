@@ -54,7 +54,9 @@ class MergeJob {
   explicit MergeJob(const MergeOptions& options) : options_(options) {}
 
   ExitCode run() {
-    check_outputs(options_.outputs, options_.json);
+    check_outputs(options_.outputs, {options_.json});
+    // The merged image may take a part's place, a report must not.
+    check_no_input_is_written({options_.json}, {options_.parts.begin(), options_.parts.end()});
     open();
     check_parts_survive();
     check_gaps();

@@ -22,6 +22,11 @@ void check_extension(const std::string& file) {
   }
 }
 
+/// Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
+std::filesystem::path whole_path(const std::filesystem::path& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+}
+
 void write_as_named(const std::string& file, const Image& image, float exposure) {
   if (is_exr(file)) {
     write_exr(file, image);
@@ -62,16 +67,30 @@ void add_exposure_option(CLI::App& command, float& exposure) {
       ->check([](const std::string& text) { return parse_real(text) ? std::string() : "must be a number"; });
 }
 
-void check_outputs(const std::vector<std::string>& images, const std::string& json) {
-  std::set<std::string> names;
+void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others) {
+  std::set<std::filesystem::path> names;
   std::vector<std::string> all = images;
   for (const std::string& file : images) check_extension(file);
-  if (!json.empty() && json != "-") all.push_back(json);
+  for (const std::string& file : others) {
+    if (!file.empty() && file != "-") all.push_back(file);
+  }
   for (const std::string& file : all) {
     check_writable(file);
-    // Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
-    if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file)).string()).second) {
+    if (!names.insert(whole_path(file)).second)
       throw InputError(fmt::format("{}: is to be written twice", file));
+  }
+}
+
+void check_no_input_is_written(const std::vector<std::string>& outputs,
+                               const std::vector<std::filesystem::path>& inputs) {
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-") continue;
+    for (const std::filesystem::path& input : inputs) {
+      std::error_code missing;
+      // Links of both kinds lead to one and the same file.
+      if (std::filesystem::is_other(output, missing)) continue;
+      if (whole_path(output) == whole_path(input) || std::filesystem::equivalent(output, input, missing))
+        throw InputError(fmt::format("{}: is to be read and written", output));
     }
   }
 }

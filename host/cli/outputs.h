@@ -1,6 +1,7 @@
 #pragma once
 // Image files that commands write: the options about them, checks before any work, writing.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,14 @@ void add_aov_option(CLI::App& command, std::vector<std::string>& aovs);
 /// --exposure: stops by which PNG images are brightened.
 void add_exposure_option(CLI::App& command, float& exposure);
 
-/// Throws InputError unless images of these names can be written, each once, and the report beside them
-/// (empty: none, "-": standard output).
-void check_outputs(const std::vector<std::string>& images, const std::string& json);
+/// Throws InputError unless images of these names can be written, each once, and the other files beside them
+/// (reports and pages; empty: none, "-": standard output).
+void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others);
+
+/// Throws InputError if one of the outputs (empty: none, "-": standard output) would take the place of a file
+/// that is read.
+void check_no_input_is_written(const std::vector<std::string>& outputs,
+                               const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError if one of the images is a PNG and the size is more than a PNG takes.
 void check_png_size(const std::vector<std::string>& images, int width, int height);

@@ -8,6 +8,7 @@
 #include "cli/backend_options.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/render_options.h"
 #include "cli/text_file.h"
@@ -34,7 +35,7 @@ class ParityJob {
 
   ExitCode run() {
     catch_interrupts();
-    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    check_outputs({}, {options_.json});
     load();
     compare();
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
@@ -46,7 +47,8 @@ class ParityJob {
  private:
   void load() {
     Diagnostics diagnostics(options_.strict);
-    scene_ = read_scene(options_.scene, diagnostics);
+    scene_ = read_scene(options_.scene, diagnostics, overridden_by(options_));
+    check_no_input_is_written({options_.json}, diagnostics.inputs());
     apply_to_scene(options_, scene_);
     if (!options_.spp) scene_.sample_count = default_spp;
     settings_ = make_settings(options_, scene_);

@@ -31,7 +31,7 @@ class RenderJob {
 
   ExitCode run() {
     catch_interrupts();
-    check_outputs(outcome_.files, options_.json);
+    check_outputs(outcome_.files, {options_.json});
     const bool silent = options_.backend == "reference" ? render_reference() : render_on_device();
     outcome_.interrupted = was_interrupted();
     write();
@@ -45,7 +45,10 @@ class RenderJob {
   void load() {
     const double start = seconds_since_start();
     Diagnostics diagnostics(options_.strict);
-    outcome_.scene = read_scene(options_.scene, diagnostics);
+    outcome_.scene = read_scene(options_.scene, diagnostics, overridden_by(options_));
+    std::vector<std::string> outputs = outcome_.files;
+    outputs.push_back(options_.json);
+    check_no_input_is_written(outputs, diagnostics.inputs());
     apply_to_scene(options_, outcome_.scene);
     outcome_.settings = make_settings(options_, outcome_.scene);
     const Crop& crop = outcome_.settings.crop;

@@ -132,6 +132,8 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
   add_exposure_option(command, o.exposure);
 }
 
+Overridden overridden_by(const RenderOptions& o) { return {o.integrator.has_value(), o.sampler.has_value()}; }
+
 void apply_to_scene(const RenderOptions& o, Scene& scene) {
   if (o.integrator) {
     const auto type = find_integrator_type(*o.integrator);

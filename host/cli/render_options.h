@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/reader.h"
 #include "scene/scene.h"
 #include "scene/settings.h"
 
@@ -45,6 +46,8 @@ void add_render_options(CLI::App& command, RenderOptions& options);
 
 /// Overrides what the scene file says.
 void apply_to_scene(const RenderOptions& options, Scene& scene);
+/// What apply_to_scene will replace.
+[[nodiscard]] Overridden overridden_by(const RenderOptions& options);
 
 /// The render's settings; the scene has its final size. Throws InputError for what lies outside the image.
 [[nodiscard]] RenderSettings make_settings(const RenderOptions& options, const Scene& scene);

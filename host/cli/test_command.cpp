@@ -59,8 +59,7 @@ class TestJob {
  private:
   void check_options() const {
     check_backend_options(options_.backend, options_.precision, options_.device, options_.validate);
-    if (!options_.junit.empty()) check_writable(options_.junit);
-    if (!options_.json.empty() && options_.json != "-") check_writable(options_.json);
+    check_outputs({}, {options_.junit, options_.json});
     if (!std::filesystem::is_directory(options_.pictures))
       throw InputError(fmt::format("--pictures {}: no such folder", options_.pictures));
   }
@@ -74,6 +73,7 @@ class TestJob {
   void load(const std::string& file) {
     Diagnostics diagnostics(options_.strict);
     tests_.push_back(read_test(file, diagnostics));
+    check_no_input_is_written({options_.junit, options_.json}, diagnostics.inputs());
     for (const TestedScene& tested : tests_.back().scenes) warn_about_scene(tested.scene, diagnostics);
     print_warnings(diagnostics);
   }

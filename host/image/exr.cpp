@@ -5,6 +5,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
@@ -32,6 +33,8 @@ ExrHeader header_of(const std::filesystem::path& path, const Imf::Header& header
   const long long width = 1LL + window.max.x - window.min.x;
   const long long height = 1LL + window.max.y - window.min.y;
   check_file_image_size(path, width, height);
+  if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
+    throw InputError(fmt::format("{}: is a cube map; latitude-longitude images are read", path.string()));
   const Imath::Box2i display = header.displayWindow();
   ExrHeader result{static_cast<int>(width),
                    static_cast<int>(height),

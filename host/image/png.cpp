@@ -4,8 +4,11 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <memory>
+#include <new>
 
 #include "core/error.h"
 #include "image/atomic_file.h"
@@ -39,6 +42,64 @@ struct PngFile : png_image {
   PngFile& operator=(const PngFile&) = delete;
 };
 
+/// The samples of a PNG as they are: libpng's simplified reader would apply gamma and lay what is transparent
+/// over a background.
+class PngReader {
+ public:
+  PngReader()
+      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &PngReader::on_error,
+                                    &PngReader::on_warning)) {
+    if (png_ == nullptr) throw std::bad_alloc();
+    info_ = png_create_info_struct(png_);
+  }
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+
+  // libpng leaves these by longjmp on an error: nothing that has a destructor may live in them.
+  [[nodiscard]] bool read_header(std::FILE* in) {
+    if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_init_io(png_, in);
+    png_read_info(png_, info_);
+    png_set_expand(png_);
+    png_set_scale_16(png_);
+    png_set_strip_alpha(png_);
+    png_set_gray_to_rgb(png_);
+    (void)png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    return true;
+  }
+  /// Of all rows, three bytes a pixel.
+  [[nodiscard]] bool read_pixels(std::vector<std::uint8_t>& pixels) {
+    const std::size_t row_bytes = 3 * static_cast<std::size_t>(width());
+    if (png_get_rowbytes(png_, info_) != row_bytes) {
+      message_ = "its samples cannot be made 8 bits";
+      return false;
+    }
+    rows_.clear();
+    for (std::size_t y = 0; y < height(); ++y) rows_.push_back(pixels.data() + y * row_bytes);
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_image(png_, rows_.data());
+    png_read_end(png_, nullptr);
+    return true;
+  }
+  [[nodiscard]] png_uint_32 width() const { return png_get_image_width(png_, info_); }
+  [[nodiscard]] png_uint_32 height() const { return png_get_image_height(png_, info_); }
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ private:
+  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
+    static_cast<PngReader*>(png_get_error_ptr(png))->message_ = message;
+    png_longjmp(png, 1);
+  }
+  static void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+  png_structp png_;
+  png_infop info_ = nullptr;
+  std::vector<png_bytep> rows_;
+  std::string message_;
+};
+
 std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
   const float factor = std::exp2(exposure);
   std::vector<std::uint8_t> pixels;
@@ -61,19 +122,18 @@ const std::array<float, 256>& srgb_values() {
 
 ByteImage read_png_bytes(const std::filesystem::path& path) {
   check_readable(path);
-  PngFile png;
-  const auto fail = [&] {
-    throw InputError(fmt::format("{}: not a readable PNG image: {}", path.string(), png.message));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  PngReader reader;
+  const auto expect = [&](bool read) {
+    if (!read)
+      throw InputError(fmt::format("{}: not a readable PNG image: {}", path.string(), reader.message()));
   };
-  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) fail();
-  check_file_image_size(path, png.width, png.height);
-  if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
-    throw InputError(fmt::format("{}: has 16 bits a channel; PNGs of 8 are read", path.string()));
-  png.format = PNG_FORMAT_RGB;
-  ByteImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
-  image.pixels.resize(3 * static_cast<std::size_t>(png.width) * png.height);
-  const png_color black{};
-  if (png_image_finish_read(&png, &black, image.pixels.data(), 0, nullptr) == 0) fail();
+  expect(reader.read_header(in.get()));
+  check_file_image_size(path, reader.width(), reader.height());
+  ByteImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), {}};
+  image.pixels.resize(3 * static_cast<std::size_t>(reader.width()) * reader.height());
+  expect(reader.read_pixels(image.pixels));
   return image;
 }
 

@@ -4,8 +4,9 @@
 
 namespace facet {
 
-Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics, const Overridden& overridden) {
   const XmlDocument xml(path);
+  diagnostics.add_inputs(xml.files());
   const pugi::xml_node root = xml.root();
   if (std::string_view(root.name()) == "test") {
     throw InputError(xml.location(root),
@@ -14,7 +15,7 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
   if (std::string_view(root.name()) != "scene") {
     throw InputError(xml.location(root), fmt::format("the root is <{}>; <scene> expected", root.name()));
   }
-  return SceneReader(xml, diagnostics).read(root);
+  return SceneReader(xml, diagnostics, overridden).read(root);
 }
 
 void check_image_size(long long width, long long height) {

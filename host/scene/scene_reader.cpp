@@ -81,8 +81,12 @@ void SceneReader::read_sampler(PropertyReader& scene) {
   if (!node) return;
   PropertyReader p = open(*node);
   const auto sampler = find_sampler(p.type());
-  if (!sampler) fail_unknown_type(p, "sampler");
-  scene_.sampler = *sampler;
+  if (!sampler && !overridden_.sampler) fail_unknown_type(p, "sampler");
+  if (sampler) {
+    scene_.sampler = *sampler;
+  } else {
+    diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --sampler", p.title()));
+  }
   scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
   scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
   p.finish(diagnostics_);
@@ -93,7 +97,11 @@ void SceneReader::read_integrator(PropertyReader& scene) {
   if (!node) return;
   PropertyReader p = open(*node);
   const auto type = find_integrator_type(p.type());
-  if (!type) fail_unknown_type(p, "integrator");
+  if (!type && !overridden_.integrator) fail_unknown_type(p, "integrator");
+  if (!type) {
+    diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --integrator", p.title()));
+    return;
+  }
   // The name lives in the table, not in the file's text.
   scene_.integrator.type = *type;
   if (p.type() == "simple") {
@@ -153,7 +161,7 @@ void SceneReader::read_emitter(const pugi::xml_node& node) {
   if (p.type() == "environment") {
     if (scene_.environment() != none)
       throw InputError(p.location(), "the scene has more than one environment");
-    scene_.emitters.emplace_back(read_environment_emitter(p));
+    scene_.emitters.emplace_back(read_environment_emitter(p, diagnostics_));
   } else if (p.type() == "pointlight") {
     scene_.emitters.emplace_back(read_point_light(p));
   } else {

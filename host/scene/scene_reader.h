@@ -1,5 +1,6 @@
 #pragma once
 // From one <scene> element to a Scene.
+#include "scene/reader.h"
 #include "scene/scene.h"
 #include "scene/xml/property_reader.h"
 
@@ -9,7 +10,8 @@ namespace facet {
 /// is wrong. Keeps references to its arguments.
 class SceneReader {
  public:
-  SceneReader(const XmlDocument& xml, Diagnostics& diagnostics) : xml_(xml), diagnostics_(diagnostics) {
+  SceneReader(const XmlDocument& xml, Diagnostics& diagnostics, const Overridden& overridden = {})
+      : xml_(xml), diagnostics_(diagnostics), overridden_(overridden) {
     scene_.file = xml.path();
   }
 
@@ -35,6 +37,7 @@ class SceneReader {
 
   const XmlDocument& xml_;
   Diagnostics& diagnostics_;
+  Overridden overridden_;
   Scene scene_;
 };
 

@@ -93,6 +93,7 @@ std::size_t StatisticalTest::case_count() const {
 
 StatisticalTest read_test(const std::filesystem::path& path, Diagnostics& diagnostics) {
   const XmlDocument xml(path);
+  diagnostics.add_inputs(xml.files());
   const pugi::xml_node root = xml.root();
   if (std::string_view(root.name()) == "scene") {
     throw InputError(xml.location(root),

@@ -86,5 +86,47 @@ TEST_F(FaultsCliTest, ASignalOfALostTerminalSavesTheImage) {
   EXPECT_TRUE(std::filesystem::exists(folder_.file("a.exr")));
 }
 
+TEST_F(FaultsCliTest, NoInputIsWritten) {
+  write_png(folder_.file("map.png"), Image(1, 1, {"R", "G", "B"}), 0);
+  write_exr(folder_.file("sky.exr"), Image(1, 1, {"R", "G", "B"}));
+  write_scene(
+      "scene.xml",
+      mesh("floor.obj",
+           "<bsdf type=\"diffuse\"><texture type=\"textmap\" name=\"albedo\"><string name=\"filename\" "
+           "value=\"map.png\"/></texture></bsdf>") +
+          light() + "<emitter type=\"environment\"><string name=\"filename\" value=\"sky.exr\"/></emitter>");
+  std::filesystem::create_hard_link(folder_.file("sky.exr"), folder_.file("linked.exr"));
+  const std::string sky = folder_.read("sky.exr");
+  expect_failure({"render", "scene.xml", "-o", "./sky.exr"}, 2, {"sky.exr", "read and written"});
+  expect_failure({"render", "scene.xml", "-o", "linked.exr"}, 2, {"linked.exr", "read and written"});
+  expect_failure({"render", "scene.xml", "-o", "map.png"}, 2, {"map.png", "read and written"});
+  expect_failure({"render", "scene.xml", "-o", "a.exr", "--json", "scene.xml"}, 2,
+                 {"scene.xml", "read and written"});
+  expect_failure({"parity", "scene.xml", "--json", "light.obj"}, 2, {"light.obj", "read and written"});
+  expect_failure({"bench", "scene.xml", "--html", "scene.xml"}, 2, {"scene.xml", "read and written"});
+  folder_.write("test.xml", "<test type=\"chi2test\"><bsdf type=\"diffuse\"/></test>");
+  expect_failure({"test", "test.xml", "--junit", "test.xml"}, 2, {"test.xml", "read and written"});
+  expect_failure({"test", "test.xml", "--junit", "a", "--json", "a"}, 2, {"a", "written twice"});
+  EXPECT_EQ(folder_.read("sky.exr"), sky);
+}
+
+TEST_F(FaultsCliTest, OptionsRescueScenesOfUnknownIntegratorsAndSamplers) {
+  folder_.write("unknown.xml", R"(<scene>
+<camera type="perspective"><integer name="width" value="16"/><integer name="height" value="16"/><transform name="toWorld"><lookat origin="0.1 0.8 -4" target="0 0.4 0" up="0 1 0"/></transform></camera>
+<sampler type="halton"><integer name="sampleCount" value="4"/></sampler>
+<integrator type="photonmapper"><integer name="photonCount" value="1000"/></integrator>
+)" + floor() + light() + "</scene>");
+  expect_failure({"render", "unknown.xml", "-o", "a.exr", "--integrator", "path_mis"}, 2,
+                 {"unknown.xml:3", "halton"});
+  expect_failure({"render", "unknown.xml", "-o", "a.exr", "--sampler", "sobol"}, 2,
+                 {"unknown.xml:4", "photonmapper"});
+  const Result result = run(
+      {"render", "unknown.xml", "-o", "a.exr", "--integrator", "path_mis", "--sampler", "sobol", "--quiet"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  expect_words(result.err,
+               {"unknown.xml:3", "replaced by --sampler", "unknown.xml:4", "replaced by --integrator"});
+  expect_image("a.exr");
+}
+
 }  // namespace
 }  // namespace facet::test

@@ -1,6 +1,8 @@
 // Textures in scene files: where they may stand, what they say, and what is wrong with them.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "image/files.h"
 #include "scene/reader.h"
 #include "support/input.h"
@@ -208,6 +210,59 @@ TEST_F(SceneTexturesTest, Files) {
   expect_bsdf_error("diffuse", texture("albedo", "textmap", "\n" + file("none.png")), 5, {"none.png"});
   expect_bsdf_error("diffuse", texture("albedo", "textmap", file("triangle.obj")), 4,
                     {"triangle.obj", "PNG"});
+}
+
+EnvironmentEmitter read_environment(const test::TemporaryFolder& folder, const Image& map,
+                                    Diagnostics& diagnostics) {
+  write_exr(folder.file("sky.exr"), map);
+  const Scene scene = read_scene(
+      folder.write(
+          "scene.xml",
+          "<scene><camera type=\"perspective\"/><emitter type=\"environment\"><string name=\"filename\" "
+          "value=\"sky.exr\"/><string name=\"encoding\" value=\"linear\"/></emitter></scene>"),
+      diagnostics);
+  return std::get<EnvironmentEmitter>(scene.emitters.at(0));
+}
+
+TEST_F(SceneTexturesTest, EnvironmentsOfImpossibleTexelsAreMendedWithOneWarning) {
+  Image map(2, 2, {"R", "G", "B"});
+  map.at(0, 0, 0) = -1;
+  map.at(1, 0, 1) = std::numeric_limits<float>::quiet_NaN();
+  map.at(1, 1, 2) = std::numeric_limits<float>::infinity();
+  map.at(0, 1, 2) = 7;
+  Diagnostics diagnostics;
+  const EnvironmentEmitter e = read_environment(folder_, map, diagnostics);
+  ASSERT_EQ(diagnostics.warnings().size(), 1U);
+  EXPECT_NE(diagnostics.warnings()[0].find("3 texels"), std::string::npos) << diagnostics.warnings()[0];
+  EXPECT_EQ(e.texels[0], Color(0));
+  EXPECT_EQ(e.texels[1], Color(0));
+  EXPECT_EQ(e.texels[2], Color(0, 0, 7));
+  EXPECT_EQ(e.texels[3], Color(0, 0, 1e30F));
+}
+
+TEST_F(SceneTexturesTest, EnvironmentsHaveChannelsOfManyNames) {
+  for (const auto& [channels, red] :
+       {std::pair(std::vector<std::string>{"b", "g", "r"}, 2), std::pair(std::vector<std::string>{"Y"}, 0),
+        std::pair(std::vector<std::string>{"A", "ViewLayer.Combined.B", "ViewLayer.Combined.G",
+                                           "ViewLayer.Combined.R"},
+                  3)}) {
+    Image map(1, 1, channels);
+    map.at(0, 0, red) = 3;
+    Diagnostics diagnostics;
+    EXPECT_EQ(read_environment(folder_, map, diagnostics).texels[0].r, 3) << channels[0];
+  }
+}
+
+TEST_F(SceneTexturesTest, AnEnvironmentsDisplayWindowIsTheSphere) {
+  Image map(2, 1, {"R", "G", "B"});
+  map.at(0, 0, 0) = 1;
+  map.at(1, 0, 0) = 2;
+  map.window = {1, 2, 4, 3};
+  Diagnostics diagnostics;
+  const EnvironmentEmitter e = read_environment(folder_, map, diagnostics);
+  ASSERT_EQ(e.width, 4);
+  ASSERT_EQ(e.height, 3);
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(e.texels[i].r, i == 9 ? 1 : i == 10 ? 2 : 0) << i;
 }
 
 }  // namespace

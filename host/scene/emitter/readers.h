@@ -12,6 +12,7 @@ namespace facet {
 [[nodiscard]] PointLight read_point_light(PropertyReader& properties);
 
 /// A constant or mapped environment.
-[[nodiscard]] EnvironmentEmitter read_environment_emitter(PropertyReader& properties);
+[[nodiscard]] EnvironmentEmitter read_environment_emitter(PropertyReader& properties,
+                                                          Diagnostics& diagnostics);
 
 }  // namespace facet

@@ -44,6 +44,13 @@ void XmlDocument::refuse_stray_content(const pugi::xml_node& parent) const {
   }
 }
 
+std::vector<std::filesystem::path> XmlDocument::files() const {
+  std::vector<std::filesystem::path> files{path_};
+  for (const pugi::xpath_node& name : document_.select_nodes("//string[@name='filename']"))
+    files.push_back(path_.parent_path() / name.node().attribute("value").value());
+  return files;
+}
+
 int XmlDocument::line_at(std::ptrdiff_t offset) const {
   const auto after =
       std::upper_bound(line_starts_.begin(), line_starts_.end(), std::max<std::ptrdiff_t>(offset, 0));

@@ -22,6 +22,8 @@ class XmlDocument {
   /// Throws InputError at the first text among the children of an element: the language has none.
   void refuse_stray_content(const pugi::xml_node& parent) const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The document's own path and those of the files that it names.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
   [[nodiscard]] int line_at(std::ptrdiff_t offset) const;
