@@ -17,7 +17,8 @@ dvec3 tilt_of(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& n) {
   std::array<dvec3, 3> edges{b - a, c - b, a - c};
   std::ranges::sort(edges, {}, [](const dvec3& e) { return glm::length(e); });
   const double sine = glm::length(glm::cross(unit(edges[0]), unit(edges[1])));
-  return unit(glm::cross(n, edges[2])) / sine;
+  // Those of other triangles have all their digits, and zeros that are exact.
+  return sine > 0.1 ? dvec3(0) : unit(glm::cross(n, edges[2])) / sine;
 }
 
 }  // namespace
