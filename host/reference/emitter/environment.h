@@ -24,8 +24,8 @@ class Environment {
   /// Radiance from direction d and the density of sampling d.
   template <typename Probe>
   [[nodiscard]] Found<Real> find(const Vec3<Real>& d, Probe& probe) const {
-    const Place at = place_of(d, probe);
-    return {none, radiance(at, probe), density(cell(at.x, width_, 0, probe), cell(at.y, height_, 1, probe))};
+    const Cell cell = cell_at(place_of(d, probe), DecisionKind::cell, probe);
+    return {none, radiance(cell), density(cell.column, cell.row)};
   }
 
   template <typename Probe>
@@ -42,7 +42,7 @@ class Environment {
     const Real radius = std::sqrt(std::max((1 - y) * (1 + y), Real(0)));
     EmitterSample<Real> s;
     s.direction = probe.nudged(Vec3<Real>(radius * cosine, y, radius * sine));
-    s.radiance = radiance(place_of(s.direction, probe), probe);
+    s.radiance = radiance(cell_at(place_of(s.direction, probe), DecisionKind::texel, probe));
     s.pdf = density(column.entry, row.entry);
     s.at_infinity = true;
     return s;
@@ -66,10 +66,21 @@ class Environment {
     return {shares.x * static_cast<Real>(width_), shares.y * static_cast<Real>(height_)};
   }
 
+  /// The cell of the density, between four texels, that a place lies in, and how far.
+  struct Cell {
+    std::size_t column;
+    std::size_t row;
+    Real fx;
+    Real fy;
+  };
+
   template <typename Probe>
-  static std::size_t cell(Real at, std::size_t count, std::uint64_t which, Probe& probe) {
-    const Real index = decided_floor(at, static_cast<Real>(count), DecisionKind::cell, which, probe);
-    return static_cast<std::size_t>(std::clamp(index, Real(0), static_cast<Real>(count - 1)));
+  [[nodiscard]] Cell cell_at(const Place& at, DecisionKind kind, Probe& probe) const {
+    const auto width = static_cast<Real>(width_);
+    const auto height = static_cast<Real>(height_);
+    const Real left = std::clamp(decided_floor(at.x, width, kind, 0, probe), Real(0), width - 1);
+    const Real lower = std::clamp(decided_floor(at.y, height, kind, 1, probe), Real(0), height - 1);
+    return {static_cast<std::size_t>(left), static_cast<std::size_t>(lower), at.x - left, at.y - lower};
   }
 
   [[nodiscard]] Vec3<Real> texel(long long x, long long y) const {
@@ -78,16 +89,11 @@ class Environment {
     return texels_[row * width_ + column];
   }
 
-  template <typename Probe>
-  [[nodiscard]] Vec3<Real> radiance(const Place& at, Probe& probe) const {
-    const Real left = decided_floor(at.x, static_cast<Real>(width_), DecisionKind::texel, 0, probe);
-    const Real lower = decided_floor(at.y, static_cast<Real>(height_), DecisionKind::texel, 1, probe);
-    const Real fx = at.x - left;
-    const Real fy = at.y - lower;
-    const auto x = static_cast<long long>(left);
-    const auto y = static_cast<long long>(lower);
-    return (texel(x, y) * (1 - fx) + texel(x + 1, y) * fx) * (1 - fy) +
-           (texel(x, y + 1) * (1 - fx) + texel(x + 1, y + 1) * fx) * fy;
+  [[nodiscard]] Vec3<Real> radiance(const Cell& c) const {
+    const auto x = static_cast<long long>(c.column);
+    const auto y = static_cast<long long>(c.row);
+    return (texel(x, y) * (1 - c.fx) + texel(x + 1, y) * c.fx) * (1 - c.fy) +
+           (texel(x, y + 1) * (1 - c.fx) + texel(x + 1, y + 1) * c.fx) * c.fy;
   }
 
   [[nodiscard]] Real density(std::size_t column, std::size_t row) const {
