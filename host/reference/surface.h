@@ -49,7 +49,9 @@ template <typename Real, typename Probe>
   Surface<Real> s;
   s.position =
       probe.nudged(b0 * triangle.vertices[0] + b1 * triangle.vertices[1] + b2 * triangle.vertices[2]);
-  s.ng = s.ns = probe.nudged(triangle.normal + triangle.tilt * (probe.nudged(Real(1)) - 1));
+  s.ng = triangle.normal;
+  if (triangle.tilt != Vec3<Real>(0)) s.ng += triangle.tilt * (probe.nudged(Real(1)) - 1);
+  s.ng = s.ns = probe.nudged(s.ng);
   s.magnitude = triangle.magnitude;
   s.mesh = triangle.mesh;
   s.index = triangle.index;
