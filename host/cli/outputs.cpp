@@ -11,8 +11,6 @@
 
 namespace facet::cli {
 
-bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
-
 namespace {
 
 void check_extension(const std::string& file) {
@@ -50,6 +48,8 @@ void write_image(const std::string& file, const Image& image, float exposure) {
 
 }  // namespace
 
+bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
+
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
   command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")
       ->delimiter(',')
@@ -84,12 +84,12 @@ void check_outputs(const std::vector<std::string>& images, const std::vector<std
 void check_no_input_is_written(const std::vector<std::string>& outputs,
                                const std::vector<std::filesystem::path>& inputs) {
   for (const std::string& output : outputs) {
-    if (output.empty() || output == "-") continue;
+    std::error_code missing;
+    if (output.empty() || output == "-" || std::filesystem::is_other(output, missing)) continue;
+    const std::filesystem::path whole = whole_path(output);
     for (const std::filesystem::path& input : inputs) {
-      std::error_code missing;
       // Links of both kinds lead to one and the same file.
-      if (std::filesystem::is_other(output, missing)) continue;
-      if (whole_path(output) == whole_path(input) || std::filesystem::equivalent(output, input, missing))
+      if (whole == whole_path(input) || std::filesystem::equivalent(output, input, missing))
         throw InputError(fmt::format("{}: is to be read and written", output));
     }
   }

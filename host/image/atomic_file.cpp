@@ -1,13 +1,11 @@
 #include "image/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <system_error>
@@ -75,11 +73,9 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   // Devices and pipes are written to, not replaced.
   in_place_ = std::filesystem::is_other(target_, unknown);
   if (in_place_) return;
-  const std::filesystem::path folder = folder_of(target_);
   if (target_.filename().string().size() > 255)
     throw InputError(fmt::format("{}: cannot write: a file's name has 255 bytes at most", target_.string()));
-  sweep(folder);
-  descriptor_ = open_new(folder, temporary_);
+  descriptor_ = open_new(folder_of(target_), temporary_);
   if (descriptor_ < 0) {
     const int error = errno;
     const bool missing = error == ENOENT || error == ENOTDIR;
@@ -145,11 +141,13 @@ void AtomicFile::commit() {
   temporary_.clear();
   // The new name is lost in a crash until the folder is on the disk; not every file system lets a folder be
   // synced.
-  const int folder = open_retrying(folder_of(target_), O_RDONLY | O_DIRECTORY);
-  if (folder >= 0) {
-    (void)::fsync(folder);
-    ::close(folder);
+  const std::filesystem::path folder = folder_of(target_);
+  const int opened = open_retrying(folder, O_RDONLY | O_DIRECTORY);
+  if (opened >= 0) {
+    (void)::fsync(opened);
+    ::close(opened);
   }
+  sweep(folder);
 }
 
 }  // namespace facet

@@ -10,8 +10,8 @@ namespace facet {
 /// Writes to a temporary file beside the target; commit() gives it the target's name once all of it is on the
 /// disk, the destructor removes what was not committed. What stood under that name stays as it was until
 /// then. The temporary file's name cannot be guessed, and no file or link of that name is followed; those
-/// that a killed program left in the folder an hour ago or earlier are removed. A target that is a device or
-/// a pipe is written to directly, and stays.
+/// that a killed program left in the folder an hour ago or earlier are removed by commit(). A target that is
+/// a device or a pipe is written to directly, and stays.
 class AtomicFile {
  public:
   /// Throws InputError where the folder is missing or takes no file.
@@ -22,7 +22,7 @@ class AtomicFile {
 
   /// Whether the target is a device or a pipe.
   [[nodiscard]] bool in_place() const noexcept { return in_place_; }
-  /// The open file; -1 for a pipe that nothing has been written to, since opening one waits for its reader.
+  /// The open file. A pipe is opened here and not before, since that waits for its reader.
   [[nodiscard]] int descriptor();
 
   /// Writes at the present position. Throws InputError where not all of it could be written, and commit()

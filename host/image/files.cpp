@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include <fstream>
-
 #include "core/error.h"
 #include "image/atomic_file.h"
 

@@ -13,8 +13,9 @@ namespace facet {
 /// Throws InputError where the file is missing, unreadable or damaged.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
-/// Reads a PNG of 8 bits a channel as linear R, G and B; what is transparent is laid over black.
-/// Throws InputError where the file is missing, unreadable, damaged or of 16 bits a channel.
+/// Reads a PNG as linear R, G and B: its samples as sRGB codes whatever else it says of them, without alpha,
+/// 16 bits rounded to 8. Throws InputError where the file is missing, unreadable, damaged or of 16 bits a
+/// channel.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 
 /// A PNG's bytes.

@@ -1,5 +1,6 @@
 #pragma once
 // The scene in the reference's precision, with what is worked out once for all samples.
+#include <algorithm>
 #include <deque>
 #include <variant>
 

@@ -81,15 +81,16 @@ void SceneReader::read_sampler(PropertyReader& scene) {
   if (!node) return;
   PropertyReader p = open(*node);
   const auto sampler = find_sampler(p.type());
-  if (!sampler && !overridden_.sampler) fail_unknown_type(p, "sampler");
-  if (sampler) {
-    scene_.sampler = *sampler;
-  } else {
-    diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --sampler", p.title()));
-  }
+  if (!sampler) forgive_unknown_type(p, "sampler", overridden_.sampler);
+  scene_.sampler = sampler.value_or(scene_.sampler);
   scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
   scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
   p.finish(diagnostics_);
+}
+
+void SceneReader::forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden) {
+  if (!overridden) fail_unknown_type(p, tag);
+  diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --{}", p.title(), tag));
 }
 
 void SceneReader::read_integrator(PropertyReader& scene) {
@@ -97,9 +98,8 @@ void SceneReader::read_integrator(PropertyReader& scene) {
   if (!node) return;
   PropertyReader p = open(*node);
   const auto type = find_integrator_type(p.type());
-  if (!type && !overridden_.integrator) fail_unknown_type(p, "integrator");
   if (!type) {
-    diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --integrator", p.title()));
+    forgive_unknown_type(p, "integrator", overridden_.integrator);
     return;
   }
   // The name lives in the table, not in the file's text.

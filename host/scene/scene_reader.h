@@ -26,6 +26,8 @@ class SceneReader {
   [[nodiscard]] Filter read_filter(const pugi::xml_node& node);
   void read_sampler(PropertyReader& scene);
   void read_integrator(PropertyReader& scene);
+  /// An error, but a warning where an option takes its place.
+  void forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden);
   void read_mesh(const pugi::xml_node& node);
   void read_emitter(const pugi::xml_node& node);
   /// Returns the texture's index.

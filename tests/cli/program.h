@@ -72,7 +72,8 @@ class CliTest : public ::testing::Test {
     return child;
   }
 
-  /// Waits for the program's end: for an hour, so that no load on the machine looks like a program that hangs.
+  /// Waits for the program's end: for an hour, so that no load on the machine looks like a program that
+  /// hangs.
   Result finish(pid_t child) const {
     Result result;
     int status = 0;

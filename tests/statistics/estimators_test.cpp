@@ -53,8 +53,8 @@ void widen_sun(Scene& scene) {
   }
 }
 
-/// Fewer pixels of more samples each, at the same cost, where bright samples are rare: an emitter sample meets the peak of Veach's smoothest
-/// plate once in 40,000.
+/// Fewer pixels of more samples each, at the same cost, where bright samples are rare: an emitter sample
+/// meets the peak of Veach's smoothest plate once in 40,000.
 int concentration_of(const std::string& scene) {
   if (scene.starts_with("veach")) return 8;
   return scene.starts_with("serapis") ? 4 : 1;

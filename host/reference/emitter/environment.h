@@ -83,15 +83,14 @@ class Environment {
     return {static_cast<std::size_t>(left), static_cast<std::size_t>(lower), at.x - left, at.y - lower};
   }
 
-  [[nodiscard]] Vec3<Real> texel(long long x, long long y) const {
-    const std::size_t column = wrapped(x, static_cast<int>(width_));
-    const auto row = static_cast<std::size_t>(std::clamp(y, 0LL, static_cast<long long>(height_) - 1));
-    return texels_[row * width_ + column];
+  /// The texel at a cell's corner, which may lie one beyond the last column or row.
+  [[nodiscard]] const Vec3<Real>& texel(std::size_t column, std::size_t row) const {
+    return texels_[std::min(row, height_ - 1) * width_ + column % width_];
   }
 
   [[nodiscard]] Vec3<Real> radiance(const Cell& c) const {
-    const auto x = static_cast<long long>(c.column);
-    const auto y = static_cast<long long>(c.row);
+    const std::size_t x = c.column;
+    const std::size_t y = c.row;
     return (texel(x, y) * (1 - c.fx) + texel(x + 1, y) * c.fx) * (1 - c.fy) +
            (texel(x, y + 1) * (1 - c.fx) + texel(x + 1, y + 1) * c.fx) * c.fy;
   }

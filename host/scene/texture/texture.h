@@ -23,7 +23,7 @@ struct CheckerTexture {
   int scale_y = 1;
 };
 
-/* textmap: an image of 8 bits a channel (PNG), bilinear, repeating.
+/* textmap: an image of 8 bits a channel (PNG; 16 are rounded), bilinear, repeating.
 
    | parameter      | default | meaning                                                              |
    |----------------|---------|----------------------------------------------------------------------|

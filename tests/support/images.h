@@ -1,0 +1,24 @@
+#pragma once
+// Images that tests write.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace facet::test {
+
+/// Values without a pattern that compression could shrink to nothing.
+[[nodiscard]] inline Image make_image(int width, int height, const std::vector<std::string>& channels) {
+  Image image(width, height, channels);
+  std::uint32_t state = 1;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (int i = 0; i < width * height; ++i) {
+      state = 1664525U * state + 1013904223U;
+      image.at(i % width, i / width, static_cast<int>(c)) = static_cast<float>(state) * 1e-9F;
+    }
+  }
+  return image;
+}
+
+}  // namespace facet::test
