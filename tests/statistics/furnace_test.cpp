@@ -45,6 +45,7 @@ TEST(Furnace, bright_walls_keep_their_light) {
   for (const char* integrator : {"path_ems", "path_mats", "path_mis"}) {
     expect_mean(render(furnace(integrator, 0.99F), 4096).image, 1 / (1 - static_cast<double>(0.99F)));
   }
+  expect_mean(render(furnace("path_mis", 0.999F), 512).image, 1 / (1 - static_cast<double>(0.999F)));
 }
 
 /// Nothing takes light away in a room of mirrors: its paths end by roulette alone.

@@ -195,6 +195,22 @@ TEST_F(ImageTest, UncommittedFilesVanish) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
+/// Writers that swallow exceptions, as OpenEXR's destructors do, must not commit what they could not write.
+TEST_F(ImageTest, AFailedWriteIsNotForgotten) {
+  folder_.write("a.txt", "old");
+  {
+    AtomicFile file(folder_.file("a.txt"));
+    {
+      const FullDisk full(10);
+      input_error_of([&] { return file.write(std::string(100, 'x')), 0; });
+    }
+    EXPECT_NE(input_error_of([&] { return file.write("more"), 0; }), "");
+    EXPECT_NE(input_error_of([&] { return file.commit(), 0; }), "");
+  }
+  EXPECT_EQ(folder_.read("a.txt"), "old");
+  EXPECT_EQ(folder_.names(), Names{"a.txt"});
+}
+
 TEST_F(ImageTest, StaleTemporaryFilesAreSwept) {
   const auto stale = folder_.write(".facet-0123456789abcdef.part", "left by a program that was killed");
   std::filesystem::last_write_time(stale,
