@@ -16,7 +16,7 @@ class Diagnostics {
 
   void warn(const SourceLocation& where, const std::string& message) {
     if (strict_) throw InputError(where, message + " (--strict)");
-    warnings_.push_back(to_string(where) + ": " + message);
+    warnings_.push_back(printable(to_string(where) + ": " + message));
   }
 
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }

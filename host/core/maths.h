@@ -7,6 +7,7 @@
 namespace facet {
 
 using glm::dmat4;
+using glm::dvec2;
 using glm::dvec3;
 using glm::uvec3;
 using glm::vec2;

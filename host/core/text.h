@@ -24,6 +24,10 @@ namespace facet {
 /// " ; did you mean ...?" for an error message, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
+/// Text from outside as it may stand in a message, on a terminal or in a report: control characters as
+/// `\x1b`, and of more than `most` bytes the beginning and "...".
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 2000);
+
 /// 1234567 as "1.23 M", for figures that people read.
 [[nodiscard]] std::string with_unit_prefix(double value);
 

@@ -3,13 +3,16 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
 #include "core/error.h"
+#include "core/input_file.h"
 #include "core/parallel.h"
 #include "image/atomic_file.h"
 #include "image/files.h"
@@ -28,50 +31,94 @@ Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   return {Imf::FLOAT, base, sizeof(float), sizeof(float) * width};
 }
 
-ExrHeader header_of(const std::filesystem::path& path, const Imf::Header& header) {
+/// A part of a file whose pixels are read, and what its channels' names get before them.
+struct ReadPart {
+  int number = 0;
+  std::string layer;
+};
+
+/// Those that are not deep and whose pixels lie where the first one's do.
+std::vector<ReadPart> parts_to_read(const std::filesystem::path& path, const Imf::MultiPartInputFile& file) {
+  std::vector<ReadPart> parts;
+  for (int i = 0; i < file.parts(); ++i) {
+    const Imf::Header& header = file.header(i);
+    if (header.hasType() && Imf::isDeepData(header.type())) continue;
+    if (parts.empty()) {
+      parts.push_back({i, ""});
+    } else if (header.dataWindow() == file.header(parts.front().number).dataWindow()) {
+      parts.push_back({i, (header.hasName() ? header.name() : fmt::format("part{}", i + 1)) + "."});
+    }
+  }
+  if (parts.empty()) throw InputError(fmt::format("{}: is a deep image; flat ones are read", path.string()));
+  return parts;
+}
+
+/// Names that a part's channels get, in the part's order.
+std::vector<std::string> channel_names(const ReadPart& part, const Imf::Header& header) {
+  std::vector<std::string> names;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    const std::string name = c.name();
+    names.push_back(name.starts_with(part.layer) ? name : part.layer + name);
+  }
+  return names;
+}
+
+ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInputFile& file) {
+  const std::vector<ReadPart> parts = parts_to_read(path, file);
+  const Imf::Header& header = file.header(parts.front().number);
+  if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
+    throw InputError(fmt::format("{}: is a cube map; latitude-longitude images are read", path.string()));
+  ExrHeader result{};
+  for (const ReadPart& part : parts) {
+    for (const std::string& name : channel_names(part, file.header(part.number)))
+      result.channels.push_back(name);
+  }
   const Imath::Box2i window = header.dataWindow();
   const long long width = 1LL + window.max.x - window.min.x;
   const long long height = 1LL + window.max.y - window.min.y;
-  check_file_image_size(path, width, height);
-  if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
-    throw InputError(fmt::format("{}: is a cube map; latitude-longitude images are read", path.string()));
   const Imath::Box2i display = header.displayWindow();
-  ExrHeader result{static_cast<int>(width),
-                   static_cast<int>(height),
-                   {window.min.x - display.min.x, window.min.y - display.min.y,
-                    display.max.x - display.min.x + 1, display.max.y - display.min.y + 1},
-                   {},
-                   {}};
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-    result.channels.emplace_back(c.name());
+  const long long full_width = 1LL + display.max.x - display.min.x;
+  const long long full_height = 1LL + display.max.y - display.min.y;
+  check_file_image_size(path, width, height, result.channels.size());
+  check_file_image_size(path, full_width, full_height, 1);
+  result.width = static_cast<int>(width);
+  result.height = static_cast<int>(height);
+  result.window = {window.min.x - display.min.x, window.min.y - display.min.y, static_cast<int>(full_width),
+                   static_cast<int>(full_height)};
   for (auto a = header.begin(); a != header.end(); ++a) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
-    if (text != nullptr) result.metadata.emplace_back(a.name(), text->value());
+    // A part's name and kind say nothing of its image.
+    if (text != nullptr && std::string_view(a.name()) != "name" && std::string_view(a.name()) != "type")
+      result.metadata.emplace_back(a.name(), text->value());
   }
   return result;
 }
 
-Image read_pixels(const std::filesystem::path& path, Imf::InputFile& file) {
-  const ExrHeader header = header_of(path, file.header());
+Image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
+  const ExrHeader header = header_of(path, file);
   Image image(header.width, header.height, header.channels);
   image.window = header.window;
   image.metadata = header.metadata;
-  const Imath::Box2i window = file.header().dataWindow();
-  Imf::FrameBuffer buffer;
-  for (std::size_t c = 0; c < header.channels.size(); ++c) {
-    buffer.insert(header.channels[c], slice_of(image.plane(static_cast<int>(c)), window));
+  int channel = 0;
+  for (const ReadPart& part : parts_to_read(path, file)) {
+    const Imf::Header& part_header = file.header(part.number);
+    const Imath::Box2i window = part_header.dataWindow();
+    Imf::FrameBuffer buffer;
+    for (auto c = part_header.channels().begin(); c != part_header.channels().end(); ++c)
+      buffer.insert(c.name(), slice_of(image.plane(channel++), window));
+    Imf::InputPart pixels(file, part.number);
+    pixels.setFrameBuffer(buffer);
+    pixels.readPixels(window.min.y, window.max.y);
   }
-  file.setFrameBuffer(buffer);
-  file.readPixels(window.min.y, window.max.y);
   return image;
 }
 
 /// Opens the file and has it read; whatever goes wrong becomes an InputError that names it.
 template <typename Read>
 auto read_file(const std::filesystem::path& path, const Read& read) {
-  check_readable(path);
+  check_input_file(path);
   try {
-    Imf::InputFile file(path.c_str(), static_cast<int>(thread_count()));
+    Imf::MultiPartInputFile file(path.c_str(), static_cast<int>(thread_count()));
     return read(path, file);
   } catch (const Error&) {
     throw;
@@ -97,11 +144,7 @@ class ExrStream : public Imf::OStream {
 
 Image read_exr(const std::filesystem::path& path) { return read_file(path, read_pixels); }
 
-ExrHeader read_exr_header(const std::filesystem::path& path) {
-  return read_file(path, [](const std::filesystem::path& name, const Imf::InputFile& file) {
-    return header_of(name, file.header());
-  });
-}
+ExrHeader read_exr_header(const std::filesystem::path& path) { return read_file(path, header_of); }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {
   const Imath::V2i origin(image.window.x, image.window.y);

@@ -2,35 +2,88 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
 #include "core/error.h"
+#include "core/input_file.h"
 #include "image/atomic_file.h"
 
 namespace facet {
 
 namespace {
 
-constexpr long long largest_side = 1 << 20;
-constexpr long long largest_area = 1LL << 30;
+constexpr std::string_view wanted = "an OpenEXR, PNG, JPEG or HDR image";
+
+/// Codes as linear light.
+Image decode(const CodedImage& coded) {
+  Image image(coded.width, coded.height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < coded.codes.size(); ++i) {
+    const std::uint16_t code = coded.codes[i];
+    image.plane(static_cast<int>(i % 3))[i / 3] =
+        coded.largest == 255 ? srgb_values()[code]
+                             : static_cast<float>(decode_srgb(static_cast<double>(code) / coded.largest));
+  }
+  return image;
+}
 
 }  // namespace
 
+ImageFormat image_format(const std::filesystem::path& path) {
+  check_input_file(path);
+  std::string start(1000, '\0');
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  if (start.starts_with("\x76\x2F\x31\x01")) return ImageFormat::exr;
+  if (start.starts_with("\x89PNG\r\n\x1A\n")) return ImageFormat::png;
+  if (start.starts_with("\xFF\xD8\xFF")) return ImageFormat::jpeg;
+  if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return ImageFormat::hdr;
+  throw InputError(fmt::format("{}: {}", path.string(), describe_foreign_file(start, wanted)));
+}
+
 Image read_image(const std::filesystem::path& path) {
-  const std::filesystem::path extension = path.extension();
-  if (extension == ".exr") return read_exr(path);
-  if (extension == ".png") return read_png(path);
-  throw InputError(
-      fmt::format("{}: the format follows the extension, which must be .exr or .png", path.string()));
+  switch (image_format(path)) {
+    case ImageFormat::exr:
+      return read_exr(path);
+    case ImageFormat::hdr:
+      return read_hdr(path);
+    case ImageFormat::png:
+      return decode(read_png(path));
+    case ImageFormat::jpeg:
+      return decode(read_jpeg(path));
+  }
+  throw std::logic_error("no such format");
 }
 
-void check_readable(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: no such file", path.string()));
-  if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: not a file", path.string()));
+double decode_srgb(double code) {
+  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
 }
 
-void check_file_image_size(const std::filesystem::path& path, long long width, long long height) {
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
-      width * height > largest_area)
-    throw InputError(fmt::format("{}: unreasonable image size {}x{}", path.string(), width, height));
+const std::array<float, 256>& srgb_values() {
+  static const std::array<float, 256> values = [] {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+      table[i] = static_cast<float>(decode_srgb(static_cast<double>(i) / 255));
+    return table;
+  }();
+  return values;
+}
+
+void check_file_image_size(const std::filesystem::path& path, long long width, long long height,
+                           std::size_t channels) {
+  if (width >= 1 && height >= 1 && width <= largest_file_side && height <= largest_file_side &&
+      width * height <= largest_file_area &&
+      width * height <= largest_file_values / std::max<long long>(1, static_cast<long long>(channels)))
+    return;
+  throw InputError(fmt::format(
+      "{}: announces {}x{} pixels of {} channels; sides are read up to {}, in all {} pixels and {} values",
+      path.string(), width, height, channels, largest_file_side, largest_file_area, largest_file_values));
 }
 
 void check_writable(const std::filesystem::path& path) {

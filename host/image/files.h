@@ -9,30 +9,43 @@
 
 namespace facet {
 
-/// Reads all channels of a scan-line or tiled EXR as floats, and the text attributes of its header.
-/// Throws InputError where the file is missing, unreadable or damaged.
+/// What is read. A file's first bytes tell, whatever its name says.
+enum class ImageFormat { exr, png, jpeg, hdr };
+
+/// Throws InputError where the file is missing or of another kind, which it names.
+[[nodiscard]] ImageFormat image_format(const std::filesystem::path& path);
+
+/// Reads all channels of a scan-line or tiled EXR as floats, and the text attributes of its header. Of
+/// several parts those are read that are not deep and of the size of the first such one; the channels of
+/// others than that one get the part's name as a layer, `part.R`. Throws InputError where the file is
+/// missing, unreadable or damaged.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
-/// Reads a PNG as linear R, G and B: its samples as sRGB codes whatever else it says of them, without alpha,
-/// 16 bits rounded to 8. Throws InputError where the file is missing, unreadable, damaged or of 16 bits a
-/// channel.
-[[nodiscard]] Image read_png(const std::filesystem::path& path);
-
-/// A PNG's bytes.
-struct ByteImage {
+/// Samples of a PNG or a JPEG as they stand in the file.
+struct CodedImage {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> pixels;  ///< R, G, B; rows from the top
+  int largest = 255;                 ///< code: 255 or 65535
+  std::vector<std::uint16_t> codes;  ///< R, G, B; rows from the top
 };
 
-/// read_png without the decoding of sRGB.
-[[nodiscard]] ByteImage read_png_bytes(const std::filesystem::path& path);
+/// Without alpha, grey as three equal samples, and whatever the file says of its gamma and colours. Throws
+/// InputError where the file is missing, unreadable or damaged.
+[[nodiscard]] CodedImage read_png(const std::filesystem::path& path);
+/// The same of a JPEG; its orientation (EXIF) is left aside.
+[[nodiscard]] CodedImage read_jpeg(const std::filesystem::path& path);
 
-/// Linear values of the 256 codes of sRGB, IEC 61966-2-1.
+/// Reads a Radiance HDR image (RGBE, in runs or not) as R, G and B. Throws InputError likewise.
+[[nodiscard]] Image read_hdr(const std::filesystem::path& path);
+
+/// The linear value of an sRGB code in [0, 1], IEC 61966-2-1.
+[[nodiscard]] double decode_srgb(double code);
+/// Linear values of the 256 codes of a byte.
 [[nodiscard]] const std::array<float, 256>& srgb_values();
 
-/// Reads an EXR or a PNG, by its extension.
+/// Reads an image of any format; codes are decoded from sRGB.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
+
 /// What stands in the header of an EXR.
 struct ExrHeader {
   int width = 0;
@@ -51,11 +64,14 @@ void write_exr(const std::filesystem::path& path, const Image& image);
 /// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before encoding.
 void write_png(const std::filesystem::path& path, const Image& image, float exposure);
 
-/// Throws InputError unless there is a file at path.
-void check_readable(const std::filesystem::path& path);
+/// Largest image that is read: pixels a side, pixels in all, and values in all channels.
+inline constexpr long long largest_file_side = 1LL << 20;
+inline constexpr long long largest_file_area = 1LL << 28;
+inline constexpr long long largest_file_values = 1LL << 31;
 
-/// Throws InputError for sizes that are taken for a damaged header.
-void check_file_image_size(const std::filesystem::path& path, long long width, long long height);
+/// Throws InputError for a size that a file announces beyond these limits.
+void check_file_image_size(const std::filesystem::path& path, long long width, long long height,
+                           std::size_t channels);
 
 /// Throws InputError unless a file can be written at path; leaves nothing behind and changes nothing.
 void check_writable(const std::filesystem::path& path);

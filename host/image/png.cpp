@@ -1,7 +1,7 @@
 #include <png.h>
 #include <unistd.h>
 
-#include <array>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <csetjmp>
@@ -11,6 +11,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "core/input_file.h"
 #include "image/atomic_file.h"
 #include "image/files.h"
 
@@ -23,15 +24,6 @@ std::uint8_t encode_srgb(float linear) {
   const double x = linear > 0 ? std::min(static_cast<double>(linear), 1.0) : 0.0;
   const double v = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
   return static_cast<std::uint8_t>(std::lround(v * 255));
-}
-
-std::array<float, 256> decode_table() {
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double v = static_cast<double>(i) / 255;
-    table[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-  }
-  return table;
 }
 
 /// libpng's image of a file, released at the end.
@@ -62,18 +54,18 @@ class PngReader {
     png_init_io(png_, in);
     png_read_info(png_, info_);
     png_set_expand(png_);
-    png_set_scale_16(png_);
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
     png_set_strip_alpha(png_);
     png_set_gray_to_rgb(png_);
     (void)png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;
   }
-  /// Of all rows, three bytes a pixel.
+  /// Of all rows, three samples of sample_size() bytes a pixel.
   [[nodiscard]] bool read_pixels(std::vector<std::uint8_t>& pixels) {
-    const std::size_t row_bytes = 3 * static_cast<std::size_t>(width());
+    const std::size_t row_bytes = 3 * sample_size() * static_cast<std::size_t>(width());
     if (png_get_rowbytes(png_, info_) != row_bytes) {
-      message_ = "its samples cannot be made 8 bits";
+      message_ = "its samples cannot be made R, G and B";
       return false;
     }
     rows_.clear();
@@ -83,6 +75,7 @@ class PngReader {
     png_read_end(png_, nullptr);
     return true;
   }
+  [[nodiscard]] std::size_t sample_size() const { return png_get_bit_depth(png_, info_) == 16 ? 2 : 1; }
   [[nodiscard]] png_uint_32 width() const { return png_get_image_width(png_, info_); }
   [[nodiscard]] png_uint_32 height() const { return png_get_image_height(png_, info_); }
   [[nodiscard]] const std::string& message() const { return message_; }
@@ -115,13 +108,8 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 
 }  // namespace
 
-const std::array<float, 256>& srgb_values() {
-  static const std::array<float, 256> values = decode_table();
-  return values;
-}
-
-ByteImage read_png_bytes(const std::filesystem::path& path) {
-  check_readable(path);
+CodedImage read_png(const std::filesystem::path& path) {
+  check_input_file(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
   PngReader reader;
@@ -130,18 +118,18 @@ ByteImage read_png_bytes(const std::filesystem::path& path) {
       throw InputError(fmt::format("{}: not a readable PNG image: {}", path.string(), reader.message()));
   };
   expect(reader.read_header(in.get()));
-  check_file_image_size(path, reader.width(), reader.height());
-  ByteImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), {}};
-  image.pixels.resize(3 * static_cast<std::size_t>(reader.width()) * reader.height());
-  expect(reader.read_pixels(image.pixels));
-  return image;
-}
-
-Image read_png(const std::filesystem::path& path) {
-  const ByteImage bytes = read_png_bytes(path);
-  Image image(bytes.width, bytes.height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < bytes.pixels.size(); ++i)
-    image.plane(static_cast<int>(i % 3))[i / 3] = srgb_values().at(bytes.pixels[i]);
+  check_file_image_size(path, reader.width(), reader.height(), 3);
+  const std::size_t samples = 3 * static_cast<std::size_t>(reader.width()) * reader.height();
+  std::vector<std::uint8_t> pixels(samples * reader.sample_size());
+  expect(reader.read_pixels(pixels));
+  CodedImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), 255, {}};
+  if (reader.sample_size() == 1) {
+    image.codes.assign(pixels.begin(), pixels.end());
+  } else {
+    image.largest = 65535;
+    image.codes.resize(samples);
+    std::memcpy(image.codes.data(), pixels.data(), pixels.size());
+  }
   return image;
 }
 

@@ -39,9 +39,7 @@ template <typename Real, typename Probe>
     const std::size_t at =
         wrapped(static_cast<long long>(row), t.height) * static_cast<std::size_t>(t.width) +
         wrapped(static_cast<long long>(column), t.width);
-    const std::uint32_t bytes = t.texels[at];
-    const std::array<float, 256>& values = byte_values(t.srgb);
-    return Vec3<Real>(values[bytes & 255U], values[bytes >> 8U & 255U], values[bytes >> 16U & 255U]);
+    return Vec3<Real>(facet::texel(t, at));
   };
   const Real fx = x - left;
   const Real fy = y - upper;

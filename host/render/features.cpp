@@ -37,7 +37,11 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
 Features find_features(const Scene& scene, const RenderSettings& settings) {
   Features f;
   add_bsdfs(f, scene.bsdfs);
-  for (const Texture& texture : scene.textures) f.texture_kinds |= 1U << texture.index();
+  for (const Texture& texture : scene.textures) {
+    f.texture_kinds |= 1U << texture.index();
+    const auto* bitmap = std::get_if<BitmapTexture>(&texture);
+    if (bitmap != nullptr && !bitmap->colors.empty()) f.texture_kinds |= 4U;
+  }
   for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
   f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });
@@ -111,6 +115,7 @@ void Features::add_bsdf_choices(std::vector<std::string>& list) const {
   if (some(shared::BSDF_TRANSMITS)) list.emplace_back("transmission");
   if ((texture_kinds & 1U) != 0) list.emplace_back("texture checker");
   if ((texture_kinds & 2U) != 0) list.emplace_back("texture textmap");
+  if ((texture_kinds & 4U) != 0) list.emplace_back("texture textmap of floats");
 }
 
 Features Features::with_everything() const {

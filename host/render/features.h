@@ -15,7 +15,7 @@ struct Features {
   std::uint32_t emitter_mask = 0;     ///< likewise
   std::uint32_t bsdf_flags_some = 0;  ///< flags of shared/records.h that some BSDF has
   std::uint32_t bsdf_flags_all = 0;   ///< that all have; of flags for rough BSDFs: all rough ones
-  std::uint32_t texture_kinds = 0;    ///< bit 0: checker, bit 1: textmap
+  std::uint32_t texture_kinds = 0;    ///< bit 0: checker, bit 1: textmap, bit 2: textmap of floats
   bool rough_bsdfs = false;           ///< some BSDF has microfacets
   bool shading_normals = false;
   bool roulette = false;

@@ -41,9 +41,12 @@ TextureTable make_texture_table(std::span<const Texture> textures) {
   for (const Texture& texture : textures) {
     shared::TextureRecord record = std::visit([](const auto& t) { return make_record(t); }, texture);
     if (const auto* bitmap = std::get_if<BitmapTexture>(&texture)) {
-      record.decoding = bitmap->srgb ? srgb : linear;
+      record.decoding = bitmap->colors.empty() ? (bitmap->srgb ? srgb : linear) : shared::NONE;
       record.first_texel = static_cast<std::uint32_t>(table.texels.size());
       table.texels.insert(table.texels.end(), bitmap->texels.begin(), bitmap->texels.end());
+      for (const Color& color : bitmap->colors) {
+        for (int c = 0; c < 3; ++c) table.texels.push_back(std::bit_cast<std::uint32_t>(color[c]));
+      }
     }
     table.records.push_back(record);
   }

@@ -86,7 +86,7 @@ class Hash {
     add(scale_y);
   }
   void add(const BitmapTexture& texture) {
-    const auto& [width, height, texels, srgb, factor, scale_x, scale_y] = texture;
+    const auto& [width, height, texels, srgb, factor, scale_x, scale_y, colors] = texture;
     add(width);
     add(height);
     add(texels);
@@ -94,6 +94,7 @@ class Hash {
     add(factor);
     add(scale_x);
     add(scale_y);
+    if (!colors.empty()) add(colors);
   }
   void add(const EnvironmentEmitter& emitter) {
     const auto& [width, height, texels] = emitter;

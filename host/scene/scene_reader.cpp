@@ -4,7 +4,7 @@
 
 #include "core/text.h"
 #include "scene/emitter/readers.h"
-#include "scene/mesh/obj.h"
+#include "scene/mesh/mtl.h"
 #include "scene/plugins.h"
 #include "scene/reader.h"
 #include "scene/texture/reader.h"
@@ -121,25 +121,85 @@ void SceneReader::read_mesh(const pugi::xml_node& node) {
   if (p.type() != "obj") fail_unknown_type(p, "mesh");
   const std::string filename = p.string("filename", "");
   if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
-  Mesh mesh =
-      read_obj(xml_.path().parent_path() / filename, p.transform("toWorld"), p.location(), diagnostics_);
-  mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
+  const std::filesystem::path path = xml_.path().parent_path() / filename;
+  const dmat4 to_world = p.transform("toWorld");
   const auto bsdf = p.only_child("bsdf");
-  scene_.bsdfs.push_back(bsdf ? read_bsdf(*bsdf) : Bsdf(bsdf::Diffuse{}));
-  if (const auto emitter = p.only_child("emitter")) {
-    PropertyReader e = open_textured(*emitter);
-    if (e.type() != "area") {
-      if (e.type() == "environment" || e.type() == "pointlight") {
-        throw InputError(e.location(), fmt::format("{} belongs to the scene, not to a mesh", e.title()));
-      }
-      fail_unknown_type(e, "emitter");
-    }
-    mesh.emitter = static_cast<std::uint32_t>(scene_.emitters.size());
-    scene_.emitters.emplace_back(read_area_emitter(e, static_cast<std::uint32_t>(scene_.meshes.size())));
-    e.finish(diagnostics_);
+  ObjParts parts;
+  std::vector<Bsdf> bsdfs;
+  if (bsdf) {
+    parts.meshes.push_back(read_obj(path, to_world, p.location(), diagnostics_));
+    bsdfs.push_back(read_bsdf(*bsdf));
+  } else {
+    parts = read_obj_by_material(path, to_world, p.location(), diagnostics_);
+    bsdfs = read_materials(parts, path.parent_path(), p.location());
   }
+  std::optional<AreaEmitter> emitter;
+  if (const auto child = p.only_child("emitter")) emitter = read_mesh_emitter(*child);
   p.finish(diagnostics_);
-  scene_.meshes.push_back(std::move(mesh));
+  for (std::size_t i = 0; i < parts.meshes.size(); ++i) {
+    Mesh& mesh = scene_.meshes.emplace_back(std::move(parts.meshes[i]));
+    mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
+    scene_.bsdfs.push_back(bsdfs[i]);
+    if (!emitter) continue;
+    mesh.emitter = static_cast<std::uint32_t>(scene_.emitters.size());
+    emitter->mesh = static_cast<std::uint32_t>(scene_.meshes.size() - 1);
+    scene_.emitters.emplace_back(*emitter);
+  }
+}
+
+AreaEmitter SceneReader::read_mesh_emitter(const pugi::xml_node& node) {
+  PropertyReader p = open_textured(node);
+  if (p.type() != "area") {
+    if (p.type() == "environment" || p.type() == "pointlight") {
+      throw InputError(p.location(), fmt::format("{} belongs to the scene, not to a mesh", p.title()));
+    }
+    fail_unknown_type(p, "emitter");
+  }
+  AreaEmitter emitter = read_area_emitter(p, none);
+  p.finish(diagnostics_);
+  return emitter;
+}
+
+std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts, const std::filesystem::path& folder,
+                                              const SourceLocation& where) {
+  std::vector<Bsdf> bsdfs;
+  if (parts.material_files.empty()) return {parts.meshes.size(), bsdf::Diffuse{}};
+  const auto materials = read_mtl(parts.material_files, folder, where, diagnostics_);
+  std::map<std::filesystem::path, std::uint32_t> textures;
+  std::vector<std::string> unknown;
+  for (const std::string& name : parts.materials) {
+    bsdf::Diffuse& diffuse = std::get<bsdf::Diffuse>(bsdfs.emplace_back(bsdf::Diffuse{}));
+    const auto material = materials.find(name);
+    if (material == materials.end()) {
+      if (!name.empty() && !materials.empty()) unknown.push_back(name);
+      continue;
+    }
+    const auto& [color, map] = material->second;
+    diffuse.albedo = color;
+    if (map.empty()) continue;
+    const auto [texture, is_new] = textures.try_emplace(map, none);
+    if (is_new) {
+      try {
+        scene_.textures.emplace_back(read_material_map(map, where, diagnostics_));
+        texture->second = static_cast<std::uint32_t>(scene_.textures.size() - 1);
+      } catch (const InputError& e) {
+        diagnostics_.warn(where, fmt::format("material \"{}\": {}; its colour stands in", name, e.what()));
+      }
+    }
+    diffuse.albedo.texture = texture->second;
+  }
+  if (!unknown.empty()) {
+    diagnostics_.warn(where,
+                      fmt::format("no materials file defines \"{}\"{}", unknown.front(),
+                                  unknown.size() > 1 ? fmt::format(" and {} more", unknown.size() - 1) : ""));
+  }
+  if (!materials.empty()) {
+    diagnostics_.warn(where,
+                      fmt::format("the mesh has no <bsdf>: the diffuse colours and textures of {} are used, "
+                                  "and nothing else of its materials",
+                                  fmt::join(parts.material_files, ", ")));
+  }
+  return bsdfs;
 }
 
 Bsdf SceneReader::read_bsdf(const pugi::xml_node& node) {
@@ -178,7 +238,7 @@ PropertyReader SceneReader::open_textured(const pugi::xml_node& node) {
 
 std::uint32_t SceneReader::add_texture(const pugi::xml_node& node, float most) {
   PropertyReader p = open(node);
-  Texture texture = read_texture(p);
+  Texture texture = read_texture(p, diagnostics_);
   p.finish(diagnostics_);
   if (maximum(texture) > most) {
     throw InputError(p.location(),

@@ -1,5 +1,6 @@
 #pragma once
 // From one <scene> element to a Scene.
+#include "scene/mesh/obj.h"
 #include "scene/reader.h"
 #include "scene/scene.h"
 #include "scene/xml/property_reader.h"
@@ -29,6 +30,10 @@ class SceneReader {
   /// An error, but a warning where an option takes its place.
   void forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden);
   void read_mesh(const pugi::xml_node& node);
+  /// What the materials of an OBJ file in that folder say of each of its parts.
+  [[nodiscard]] std::vector<Bsdf> read_materials(const ObjParts& parts, const std::filesystem::path& folder,
+                                                 const SourceLocation& where);
+  [[nodiscard]] AreaEmitter read_mesh_emitter(const pugi::xml_node& node);
   void read_emitter(const pugi::xml_node& node);
   /// Returns the texture's index.
   std::uint32_t add_texture(const pugi::xml_node& node, float most);

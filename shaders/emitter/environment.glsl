@@ -2,7 +2,7 @@
 
    | parameter | default | meaning                                                        |
    |-----------|---------|----------------------------------------------------------------|
-   | filename  | none    | latitude-longitude EXR; without one the radiance is constant   |
+   | filename  | none    | latitude-longitude image (EXR, HDR, or sRGB: PNG, JPEG); without one the radiance is constant |
    | radiance  | 1       | factor on the image divided by 255, or the constant radiance   |
    | encoding  | msa     | `linear`: the image is not divided by 255                      |
 

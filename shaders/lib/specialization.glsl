@@ -30,7 +30,7 @@ layout(constant_id = SPEC_ROULETTE) const bool ROULETTE = true;
 layout(constant_id = SPEC_BSDF_FLAGS_SOME) const uint BSDF_FLAGS_SOME = 0xffffffffu;
 layout(constant_id = SPEC_BSDF_FLAGS_ALL) const uint BSDF_FLAGS_ALL = 0;
 /// Bit 0: the scene has a checker; bit 1: a textmap.
-layout(constant_id = SPEC_TEXTURE_KINDS) const uint TEXTURE_KINDS = 3;
+layout(constant_id = SPEC_TEXTURE_KINDS) const uint TEXTURE_KINDS = 7;
 /// Every emitter is sampled at each interaction, and paths go on at delta lobes alone.
 layout(constant_id = SPEC_EVERY_EMITTER) const bool EVERY_EMITTER = false;
 /// Where random numbers come from, id of FACET_SAMPLER_LIST.

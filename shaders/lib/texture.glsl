@@ -6,6 +6,7 @@
 
 const uint TEXTURE_CHECKER = 1u;
 const uint TEXTURE_IMAGE = 2u;
+const uint TEXTURE_FLOATS = 4u;
 
 bool is_odd(float whole) { return whole - 2.0 * floor(whole * 0.5) == 1.0; }
 
@@ -20,7 +21,12 @@ float texel_channel(TextureRecord t, uint texel, uint shift) {
 }
 
 vec3 image_texel(TextureRecord t, uint x, uint y) {
-  uint texel = fetch_image_word(t.first_texel + y * t.width + x);
+  uint i = y * t.width + x;
+  if ((TEXTURE_KINDS & TEXTURE_FLOATS) != 0u && t.decoding == NONE) {
+    uint at = t.first_texel + 3u * i;
+    return uintBitsToFloat(uvec3(fetch_image_word(at), fetch_image_word(at + 1u), fetch_image_word(at + 2u)));
+  }
+  uint texel = fetch_image_word(t.first_texel + i);
   return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u), texel_channel(t, texel, 16u));
 }
 

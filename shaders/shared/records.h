@@ -96,8 +96,8 @@ struct TextureRecord {
   vec4 second;  // rgb: second colour; w: per unit of v
   uint width;   // texels; 0: a checker
   uint height;
-  uint first_texel;  // index into the texels, each 0x00bbggrr
-  uint decoding;     // index of the image's table of 256 values of a byte
+  uint first_texel;  // index into the texels, each 0x00bbggrr, or three words of the bits of floats
+  uint decoding;     // index of the image's table of 256 values of a byte; NONE: floats
 };
 
 struct EmitterRecord {

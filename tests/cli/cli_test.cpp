@@ -82,8 +82,8 @@ TEST_F(CliTest, SampleRanges) {
 }
 
 TEST_F(CliTest, FilesThatCannotBeRead) {
-  expect_failure({"render", "none.xml"}, 2, {"none.xml", "cannot read"});
-  expect_failure({"info", "none.xml"}, 2, {"none.xml", "cannot read"});
+  expect_failure({"render", "none.xml"}, 2, {"none.xml", "no such file"});
+  expect_failure({"info", "none.xml"}, 2, {"none.xml", "no such file"});
   folder_.write("bad.xml", "<scene>\n<camera type=\"perspective\">\n");
   expect_failure({"render", "bad.xml"}, 2, {"bad.xml:", "not well-formed XML"});
   write_scene("unknown.xml", mesh("floor.obj", "\n<bsdf type=\"difuse\"/>"));

@@ -55,7 +55,7 @@ TEST_F(TestCliTest, AFailedChiSquaredTestLeavesAPicture) {
   EXPECT_EQ(result.code, 1) << result.err;
   expect_words(result.out, {"chi2 = ", "99 degrees of freedom", "FAILED: nothing to test",
                             "histograms in chi2-case2.png", "1 of 2 passed"});
-  const Image picture = read_png(folder_.file("chi2-case2.png"));
+  const Image picture = read_image(folder_.file("chi2-case2.png"));
   EXPECT_GE(picture.width(), 200);
   EXPECT_GT(picture.height(), picture.width());
   EXPECT_FALSE(std::filesystem::exists(folder_.file("chi2-case1.png"))) << "that case passed";

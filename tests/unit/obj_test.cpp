@@ -1,5 +1,5 @@
 // Wavefront OBJ: what is accepted, and the line of what is not.
-#include "scene/mesh/obj.h"
+#include "support/obj.h"
 
 #include <gtest/gtest.h>
 
@@ -7,42 +7,16 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <numbers>
 
-#include "support/input.h"
-
 namespace facet {
 
 namespace {
 
+using test::area;
 using test::expect_message;
 using test::input_error_of;
+using test::ObjTest;
 using test::place;
-
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
-class ObjTest : public ::testing::Test {
- protected:
-  Mesh read(const std::string& text, const dmat4& to_world = dmat4(1)) {
-    return read_obj(folder_.write("mesh.obj", text), to_world, {"scene.xml", 7}, diagnostics_);
-  }
-  void expect_error(const std::string& text, int line, std::initializer_list<const char*> words) {
-    SCOPED_TRACE(text);
-    const std::string message = input_error_of([&] { return read(text); });
-    expect_message(message, place(folder_.file("mesh.obj"), line), words);
-  }
-
-  test::TemporaryFolder folder_;
-  Diagnostics diagnostics_;
-};
-
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const uvec3& t : mesh.position_indices) {
-    const vec3 a = mesh.positions[t.x];
-    sum +=
-        0.5 * static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a)));
-  }
-  return sum;
-}
+using test::square;
 
 TEST_F(ObjTest, OneTriangle) {
   const Mesh mesh = read("# comment\nv 1 2 3\nv 4 5 6\nv 7 8 10\nf 1 2 3\n");
@@ -54,76 +28,6 @@ TEST_F(ObjTest, OneTriangle) {
   EXPECT_EQ(mesh.emitter, none);
 }
 
-TEST_F(ObjTest, PolygonsAreTriangulated) {
-  const Mesh quad = read(square + "f 1 2 3 4\n");
-  EXPECT_EQ(quad.position_indices.size(), 2U);
-  EXPECT_NEAR(area(quad), 1, 1e-6);
-  const Mesh pentagon = read(square + "v -1 0.5 0\nf 1 2 3 4 5\n");
-  EXPECT_EQ(pentagon.position_indices.size(), 3U);
-  EXPECT_NEAR(area(pentagon), 1.5, 1e-6);
-}
-
-TEST_F(ObjTest, ConcavePolygonsKeepTheirArea) {
-  const Mesh arrow = read("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
-  EXPECT_EQ(arrow.position_indices.size(), 3U);
-  EXPECT_NEAR(area(arrow), 2.5, 1e-6);
-}
-
-TEST_F(ObjTest, QuadrilateralsAreCutAlongTheShorterDiagonalThatLiesInThem) {
-  const Mesh kite = read("v 0 0 0\nv 1 -1 0\nv 3 0 0\nv 1 1 0\nf 1 2 3 4\n");
-  EXPECT_EQ(kite.position_indices, (std::vector<uvec3>{{0, 1, 3}, {1, 2, 3}}));
-  const Mesh dart = read("v 0 10 0\nv -1 0 0\nv 0 5 0\nv 1 0 0\nf 1 2 3 4\nf 2 3 4 1\n");
-  EXPECT_EQ(dart.position_indices.size(), 4U);
-  EXPECT_NEAR(area(dart), 2 * 5, 1e-5);
-}
-
-TEST_F(ObjTest, PolygonsThatWindInwardsKeepTheirArea) {
-  // A comb of three teeth, in a plane across the axes.
-  const std::array<vec2, 11> outline{vec2(0, 0), vec2(5, 0), vec2(5, 4), vec2(4, 4), vec2(4, 1), vec2(3, 1),
-                                     vec2(3, 4), vec2(2, 4), vec2(2, 1), vec2(1, 1), vec2(0, 4)};
-  std::string text;
-  std::string face = "f";
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    text += fmt::format("v {} {} {}\n", outline[i].x, outline[i].y, outline[i].x);
-    face += fmt::format(" {}", i + 1);
-  }
-  const Mesh comb = read(text + face + "\n");
-  EXPECT_EQ(comb.position_indices.size(), 9U);
-  EXPECT_NEAR(area(comb), (5 + 3 + 3 + 1.5) * std::numbers::sqrt2, 1e-5);
-}
-
-TEST_F(ObjTest, PolygonsOfAnySizeKeepTheirShape) {
-  // Differences of the largest coordinates overflow a float; a notch, not to be filled.
-  const std::string text =
-      "v -3e38 -3e38 0\nv 3e38 -3e38 0\nv 3e38 3e38 0\nv 0 2e38 0\nv -3e38 3e38 0\nf 1 2 3 4 5\n";
-  EXPECT_NEAR(area(read(text, glm::scale(dmat4(1), dvec3(1e-38)))), 36 - 3, 1e-5);
-}
-
-TEST_F(ObjTest, PolygonsMayHaveHolesBehindASlit) {
-  // A square of side 3 with a square hole of side 1; two corners are met twice.
-  const Mesh frame = read(
-      "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n"
-      "f 1 2 3 4 1 5 6 7 8 5\n");
-  EXPECT_EQ(frame.position_indices.size(), 8U);
-  EXPECT_NEAR(area(frame), 8, 1e-5);
-}
-
-TEST_F(ObjTest, PolygonsOfVeryManyCornersTakeNoTime) {
-  constexpr int corners = 30'000;
-  std::string circle;
-  std::string line;
-  std::string face = "f";
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / corners;
-    circle += fmt::format("v {} {} 0\n", std::cos(angle), std::sin(angle));
-    line += fmt::format("v {} 0 0\n", i);
-    face += fmt::format(" {}", i + 1);
-  }
-  EXPECT_NEAR(area(read(circle + face + "\n")), std::numbers::pi, 1e-4);
-  EXPECT_EQ(area(read(line + face + "\n")), 0);
-}
-
-/// Large enough for several portions.
 TEST_F(ObjTest, LargeFilesAreReadAsSmallOnes) {
   constexpr int count = 100'000;
   std::string text;
@@ -140,17 +44,6 @@ TEST_F(ObjTest, LargeFilesAreReadAsSmallOnes) {
   const std::string bad = text + "v 1 2\n" + text + text + "f 1 2\n" + text;
   expect_message(input_error_of([&] { read(bad); }), place(folder_.file("mesh.obj"), 4 * count + 1),
                  {"a vertex of 2 coordinates"});
-}
-
-TEST_F(ObjTest, TrianglesOfAPolygonKeepItsOrientation) {
-  const Mesh mesh = read(square + "v -1 0.5 0\nf 1 2 3 4 5\nf 4 3 2 1\n");
-  ASSERT_EQ(mesh.position_indices.size(), 5U);
-  for (std::size_t i = 0; i < 5; ++i) {
-    const uvec3 t = mesh.position_indices[i];
-    const vec3 a = mesh.positions[t.x];
-    const float z = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a).z;
-    EXPECT_GT(i < 3 ? z : -z, 0) << "triangle " << i;
-  }
 }
 
 TEST_F(ObjTest, NegativeIndicesCountFromTheEnd) {
@@ -220,11 +113,9 @@ TEST_F(ObjTest, AZeroNormalStaysZero) {
 }
 
 TEST_F(ObjTest, FilesWithoutFacesDrawAWarning) {
-  for (const char* text : {"", "\n\n", "# nothing\n", "v 0 0 0\n"}) {
-    diagnostics_ = Diagnostics();
+  for (const char* text : {"v 0 0 0\n", "# points\nv 0 0 0\np 1\n"}) {
     EXPECT_TRUE(read(text).position_indices.empty());
-    ASSERT_EQ(diagnostics_.warnings().size(), 1U);
-    expect_message(diagnostics_.warnings()[0], "scene.xml:7", {"mesh.obj", "no faces"});
+    expect_one_warning({"mesh.obj", "no faces"});
   }
 }
 
@@ -232,14 +123,14 @@ TEST_F(ObjTest, CoordinatesMustBeFiniteNumbers) {
   expect_error("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", 2, {"nan", "not a finite number"});
   expect_error("v 0 0 0\n\nv 0 inf 0\n", 3, {"inf", "not a finite number"});
   expect_error("v 0 0 zero\n", 1, {"zero", "not a finite number"});
-  expect_error(square + "vn 0 0 nan\n", 5, {"nan"});
-  expect_error(square + "vt x 0\n", 5, {"x"});
   expect_error("v 0 0 1e999\n", 1, {"1e999", "not a finite number"});
   expect_error("v 0 0 -\n", 1, {"-", "not a finite number"});
   expect_error("v 0 0 1.2.3\n", 1, {"1.2.3", "not a finite number"});
   expect_error("v 0 0 1e\n", 1, {"1e", "not a finite number"});
   expect_error("v 0,5 0 0\n", 1, {"0,5", "not a finite number"});
-  expect_error(square + "vt 1e999 0\n", 5, {"1e999"});
+  expect_error("v 0 0 1e99999999999\n", 1, {"1e99999999999", "not a finite number"});
+  expect_error("v 0 0 1" + std::string(400, '0') + "\n", 1, {"not a finite number"});
+  expect_error("v 0 0 1" + std::string(400, '0') + "e-400\n", 1, {"not a finite number"});
 }
 
 TEST_F(ObjTest, MissingCoordinatesAreErrors) {

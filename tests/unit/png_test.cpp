@@ -84,10 +84,10 @@ TEST_F(PngTest, OtherPngFormats) {
   };
   const std::uint8_t gray = 255;
   write(PNG_FORMAT_GRAY, &gray);
-  EXPECT_EQ(read_png(folder_.file("a.png")).at(0, 0, 2), 1);
+  EXPECT_EQ(read_image(folder_.file("a.png")).at(0, 0, 2), 1);
   const std::uint8_t half[4] = {255, 0, 255, 0};
   write(PNG_FORMAT_RGBA, half);
-  EXPECT_EQ(read_png(folder_.file("a.png")).at(0, 0, 0), 1)
+  EXPECT_EQ(read_image(folder_.file("a.png")).at(0, 0, 0), 1)
       << "colours are read as they are, whatever their alpha";
 }
 
@@ -121,12 +121,17 @@ TEST_F(PngTest, PngBytesAreReadAsTheyAre) {
   for (const auto& [alpha, gamma] : {std::pair(-1, 0.0), std::pair(-1, 1.0), std::pair(-1, 0.45455),
                                      std::pair(128, 0.0), std::pair(0, 1.0)}) {
     write_gray_png(path, 8, 128, alpha, gamma);
-    EXPECT_EQ(read_png_bytes(path).pixels, (std::vector<std::uint8_t>(3, 128))) << alpha << " " << gamma;
+    EXPECT_EQ(read_png(path).codes, (std::vector<std::uint16_t>(3, 128))) << alpha << " " << gamma;
+    EXPECT_EQ(read_png(path).largest, 255);
   }
-  write_gray_png(path, 16, 0x8080, -1, 1.0);
-  EXPECT_EQ(read_png_bytes(path).pixels, (std::vector<std::uint8_t>(3, 128)));
+  write_gray_png(path, 16, 0x1234, -1, 1.0);
+  EXPECT_EQ(read_png(path).codes, (std::vector<std::uint16_t>(3, 0x1234)));
+  EXPECT_EQ(read_png(path).largest, 65535);
   write_gray_png(path, 16, 0xfffe, 0x1234, 0);
-  EXPECT_EQ(read_png_bytes(path).pixels, (std::vector<std::uint8_t>(3, 255)));
+  EXPECT_EQ(read_png(path).codes, (std::vector<std::uint16_t>(3, 0xfffe)));
+  // (0x8000 / 65535 + 0.055) / 1.055 to the power of 2.4
+  write_gray_png(path, 16, 0x8000, -1, 0);
+  EXPECT_NEAR(read_image(path).at(0, 0, 1), 0.2140482, 1e-6);
 }
 
 TEST_F(PngTest, UnreadablePngFilesAreNamed) {
@@ -144,7 +149,9 @@ TEST_F(PngTest, UnreadablePngFilesAreNamed) {
   expect_message(input_error_of([&] { return read_image(folder_.file("none.png")); }),
                  folder_.file("none.png").string(), {"no such file"});
   expect_message(input_error_of([&] { return read_image(folder_.file("a.jpg")); }),
-                 folder_.file("a.jpg").string(), {".exr or .png"});
+                 folder_.file("a.jpg").string(), {"no such file"});
+  expect_message(input_error_of([&] { return read_image(folder_.write("page.png", "<html>")); }),
+                 folder_.file("page.png").string(), {"web page"});
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST_F(SceneErrorsTest, UnknownPropertiesAreWarnings) {
 }
 
 TEST_F(SceneErrorsTest, AMeshWithoutFacesIsAWarning) {
-  folder_.write("empty.obj", "");
+  folder_.write("empty.obj", "v 0 0 0\n");
   expect_warning("<scene>\n" + camera +
                      "<mesh type=\"obj\"><string name=\"filename\" value=\"empty.obj\"/></mesh></scene>",
                  3, {"empty.obj", "no faces"});
@@ -159,19 +159,20 @@ TEST_F(SceneErrorsTest, Files) {
     return "<emitter type=\"environment\"><string name=\"filename\" value=\"" + file + "\"/></emitter>";
   };
   expect_body_error(environment("none.exr"), 3, {"none.exr", "no such file"});
-  expect_body_error(environment("triangle.obj"), 3, {"triangle.obj", "not a readable EXR"});
+  expect_body_error(environment("triangle.obj"), 3, {"triangle.obj", "not an OpenEXR, PNG, JPEG or HDR image", "v 0 0 0"});
   write_exr(folder_.file("mask.exr"), Image(1, 1, {"A", "Depth.Z"}));
   expect_body_error(environment("mask.exr"), 3, {"mask.exr", "no channels R, G and B", "A, Depth.Z"});
 }
 
 TEST_F(SceneErrorsTest, TheSceneFileItself) {
   Diagnostics diagnostics;
-  const auto expect_unreadable = [&](const std::filesystem::path& path) {
+  const auto expect_unreadable = [&](const std::filesystem::path& path, const char* word) {
     const std::string message = input_error_of([&] { return read_scene(path, diagnostics); });
-    expect_message(message, path.string(), {"cannot read"});
+    expect_message(message, path.string(), {word});
   };
-  expect_unreadable(folder_.file("none.xml"));
-  expect_unreadable(folder_.path());
+  expect_unreadable(folder_.file("none.xml"), "no such file");
+  expect_unreadable(folder_.path(), "a folder");
+  expect_error("version https://git-lfs.github.com/spec/v1\n", 2, {"not well-formed", "git lfs pull"});
   expect_error("", 1, {"not well-formed XML"});
   expect_error("v 0 0 0", 1, {"not well-formed XML"});
   expect_error("\n<mesh type=\"obj\"/>", 2, {"<mesh>", "<scene> expected"});

@@ -18,11 +18,7 @@ std::array<float, 256> make_linear_values() {
 /// Calls body(Color) for every texel.
 template <typename Body>
 void for_each_texel(const BitmapTexture& t, const Body& body) {
-  const std::array<float, 256>& values = byte_values(t.srgb);
-  for (const std::uint32_t texel : t.texels) {
-    body(t.factor *
-         Color(values.at(texel & 255U), values.at(texel >> 8U & 255U), values.at(texel >> 16U & 255U)));
-  }
+  for (std::size_t i = 0; i < std::max(t.texels.size(), t.colors.size()); ++i) body(t.factor * texel(t, i));
 }
 
 }  // namespace
@@ -32,13 +28,21 @@ const std::array<float, 256>& byte_values(bool srgb) {
   return srgb ? srgb_values() : linear;
 }
 
+Color texel(const BitmapTexture& texture, std::size_t index) {
+  if (!texture.colors.empty()) return texture.colors[index];
+  const std::array<float, 256>& values = byte_values(texture.srgb);
+  const std::uint32_t bytes = texture.texels[index];
+  return {values[bytes & 255U], values[bytes >> 8U & 255U], values[bytes >> 16U & 255U]};
+}
+
 Color mean(const Texture& texture) {
   if (const auto* checker = std::get_if<CheckerTexture>(&texture))
     return (checker->first + checker->second) / 2.0F;
   const auto& bitmap = std::get<BitmapTexture>(texture);
   dvec3 sum(0);
   for_each_texel(bitmap, [&](const Color& c) { sum += dvec3(c); });
-  return Color(sum / static_cast<double>(std::max<std::size_t>(1, bitmap.texels.size())));
+  return Color(sum /
+               static_cast<double>(std::max({std::size_t{1}, bitmap.texels.size(), bitmap.colors.size()})));
 }
 
 float maximum(const Texture& texture) {

@@ -1,8 +1,10 @@
 #include "scene/xml/document.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <set>
+
+#include "core/input_file.h"
+#include "scene/xml/encoding.h"
 
 namespace facet {
 
@@ -12,25 +14,52 @@ std::string title_of(const pugi::xml_node& object) {
 }
 
 XmlDocument::XmlDocument(std::filesystem::path path) : path_(std::move(path)) {
-  std::ifstream in(path_, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(path_)) {
-    throw InputError(fmt::format("{}: cannot read the scene file", path_.string()));
-  }
-  std::ostringstream buffer;
-  buffer << in.rdbuf();
-  text_ = buffer.str();
+  text_ = to_utf8(read_input_file(path_));
   for (std::size_t i = 0; i <= text_.size(); ++i) {
     if (i == 0 || text_[i - 1] == '\n') line_starts_.push_back(static_cast<std::ptrdiff_t>(i));
   }
-  const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
+  const pugi::xml_parse_result result =
+      document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
-    throw InputError({path_.string(), line_at(result.offset)},
-                     fmt::format("not well-formed XML: {}", result.description()));
+    const auto foreign = recognise_foreign_file(text_, "a scene in XML");
+    throw InputError(
+        {path_.string(), line_at(result.offset)},
+        fmt::format("not well-formed XML: {}{}", result.description(), foreign ? "; " + *foreign : ""));
   }
+  struct Walker : pugi::xml_tree_walker {
+    explicit Walker(const XmlDocument& document) : xml(document) {}
+    bool for_each(pugi::xml_node& node) override {
+      xml.check_attributes(node);
+      return true;
+    }
+    const XmlDocument& xml;
+  } walker(*this);
+  document_.traverse(walker);
   for (const pugi::xml_node& child : document_.children()) {
     if (child.type() == pugi::node_element && child != root()) {
       throw InputError(location(child), fmt::format("a second root element <{}>", child.name()));
     }
+  }
+}
+
+void XmlDocument::check_attributes(const pugi::xml_node& element) const {
+  std::set<std::string_view> names;
+  for (const pugi::xml_attribute& attribute : element.attributes()) {
+    if (!names.insert(attribute.name()).second)
+      throw InputError(location(element),
+                       fmt::format("not well-formed XML: <{}> has the attribute \"{}\" twice", element.name(),
+                                   attribute.name()));
+    const std::string_view value = attribute.value();
+    const std::size_t begin = std::min(value.find('&'), value.size());
+    const std::size_t end = value.find(';', begin);
+    if (end == std::string_view::npos) continue;
+    // "&amp;name;" has the same value, but is another text.
+    const std::string_view entity = value.substr(begin, end + 1 - begin);
+    if (text_.find(entity) != std::string::npos)
+      throw InputError(location(element),
+                       fmt::format("the entity {} is unknown; there are &amp; &lt; &gt; &quot; "
+                                   "&apos; and numbers, and entities of one's own are not supported",
+                                   entity));
   }
 }
 

@@ -26,10 +26,12 @@ class XmlDocument {
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
+  /// Throws InputError for what pugixml lets pass: an attribute that is given twice, an unknown entity.
+  void check_attributes(const pugi::xml_node& element) const;
   [[nodiscard]] int line_at(std::ptrdiff_t offset) const;
 
   std::filesystem::path path_;
-  std::string text_;
+  std::string text_;  ///< in UTF-8
   std::vector<std::ptrdiff_t> line_starts_;
   pugi::xml_document document_;
 };

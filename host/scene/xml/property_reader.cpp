@@ -124,7 +124,7 @@ std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, cons
 bool PropertyReader::boolean(const std::string& name, bool fallback) {
   const auto node = find(name, "boolean");
   if (!node) return fallback;
-  const std::string text = required_attribute(xml_, *node, "value");
+  const std::string text = required_word(xml_, *node);
   if (text != "true" && text != "false")
     fail(name, fmt::format("is \"{}\", but must be true or false", text));
   return text == "true";
@@ -166,7 +166,7 @@ double PropertyReader::real_between(const std::string& name, double fallback, do
 int PropertyReader::integer(const std::string& name, int fallback, int least, int most) {
   const auto node = find(name, "integer");
   if (!node) return fallback;
-  const std::string text = required_attribute(xml_, *node, "value");
+  const std::string text = required_word(xml_, *node);
   const std::optional<long long> value = parse_integer(text);
   if (!value) fail(name, fmt::format("is \"{}\", which is not an integer", text));
   if (*value < least || *value > most)

@@ -16,6 +16,13 @@ std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& nod
   return attribute.value();
 }
 
+std::string required_word(const XmlDocument& xml, const pugi::xml_node& node) {
+  const std::string text = required_attribute(xml, node, "value");
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute,
                                  std::size_t least, std::size_t most) {
   const std::string text = required_attribute(xml, node, attribute);
@@ -88,6 +95,12 @@ dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
 
 dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
   xml.refuse_stray_content(step);
+  for (const pugi::xml_node& child : step.children()) {
+    if (child.type() == pugi::node_element)
+      throw InputError(xml.location(child),
+                       fmt::format("<{}> inside the <{}> of a transform; steps stand one after another",
+                                   child.name(), step.name()));
+  }
   const std::string_view name = step.name();
   if (name == "translate") return glm::translate(dmat4(1), read_vector(xml, step, "value"));
   if (name == "matrix") return read_matrix(xml, step);

@@ -11,6 +11,9 @@ namespace facet {
 [[nodiscard]] std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& node,
                                              const char* name);
 
+/// The attribute `value` without blanks around it.
+[[nodiscard]] std::string required_word(const XmlDocument& xml, const pugi::xml_node& node);
+
 /// The attribute as `least` to `most` numbers.
 [[nodiscard]] std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node,
                                                const char* attribute, std::size_t least, std::size_t most);
