@@ -34,10 +34,10 @@ std::size_t count_bad_variances(const Image& image) {
   return count;
 }
 
-/// A PNG does not know its place in a larger frame.
-void place_png(const std::string& name, Image& png, const Image& other) {
-  const bool fits = png.width() == other.width() && png.height() == other.height();
-  if (std::filesystem::path(name).extension() == ".png" && fits) png.window = other.window;
+/// None but an EXR knows its place in a larger frame.
+void place(const std::string& name, Image& image, const Image& other) {
+  const bool fits = image.width() == other.width() && image.height() == other.height();
+  if (fits && image_format(name) != ImageFormat::exr) image.window = other.window;
 }
 
 class Comparing {
@@ -45,8 +45,8 @@ class Comparing {
   explicit Comparing(const CompareOptions& options) : o_(options) {
     c_.image = read_image(o_.image);
     c_.reference = read_image(o_.reference);
-    place_png(o_.image, c_.image, c_.reference);
-    place_png(o_.reference, c_.reference, c_.image);
+    place(o_.image, c_.image, c_.reference);
+    place(o_.reference, c_.reference, c_.image);
     check_comparable(c_.image, o_.image, c_.reference, o_.reference);
     for (const auto& [image, name] :
          {std::pair(&c_.image, &o_.image), std::pair(&c_.reference, &o_.reference)}) {

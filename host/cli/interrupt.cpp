@@ -1,7 +1,12 @@
 #include "cli/interrupt.h"
 
-#include <csignal>
+#include <unistd.h>
 
+#include <array>
+#include <csignal>
+#include <string_view>
+
+#include "core/error.h"
 #include "image/atomic_file.h"
 
 namespace facet::cli {
@@ -21,6 +26,16 @@ void on_signal(int number) {
   (void)std::raise(number);
 }
 
+/// Nothing here may allocate or lock: what crashed may have been an allocation.
+void on_crash(int /*number*/) {
+  constexpr std::string_view message =
+      "facet: crashed, most likely in the device's driver, which happens when memory is short; files that "
+      "were there before are as they were\n";
+  AtomicFile::remove_unfinished();
+  (void)!::write(STDERR_FILENO, message.data(), message.size());
+  ::_exit(static_cast<int>(ExitCode::device_failed));
+}
+
 void catch_signal(int number) {
   // What a caller has set to be ignored, as nohup does, stays so.
   if (std::signal(number, on_signal) == SIG_IGN) (void)std::signal(number, SIG_IGN);
@@ -30,6 +45,21 @@ void catch_signal(int number) {
 
 void catch_interrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) catch_signal(number);
+}
+
+void tell_of_crashes() {
+#ifndef __SANITIZE_ADDRESS__
+  // A stack of its own: the usual one may have come to its end.
+  static std::array<char, 1U << 16U> stack;
+  stack_t alternative{};
+  alternative.ss_sp = stack.data();
+  alternative.ss_size = stack.size();
+  (void)::sigaltstack(&alternative, nullptr);
+  struct sigaction action {};
+  action.sa_handler = on_crash;
+  action.sa_flags = SA_ONSTACK;
+  for (const int number : {SIGSEGV, SIGBUS}) (void)::sigaction(number, &action, nullptr);
+#endif
 }
 
 bool was_interrupted() { return interrupted != 0; }

@@ -6,8 +6,10 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "core/print.h"
 #include "core/text.h"
 #include "version.h"
@@ -96,6 +98,7 @@ int main(int argc, char** argv) {
   facet::cli::open_standard_streams();
   // A reader that has gone is an error of the write, not the program's end.
   (void)std::signal(SIGPIPE, SIG_IGN);
+  facet::cli::tell_of_crashes();
   try {
     return facet::cli::run(argc, argv);
   } catch (const facet::Error& error) {
@@ -103,6 +106,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return facet::cli::fail("out of memory", facet::ExitCode::bad_input);
   } catch (const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
+      return facet::cli::fail("cannot start another thread: a limit of processes or of memory is reached",
+                              facet::ExitCode::device_failed);
     return facet::cli::fail(error.what(), facet::ExitCode::device_failed);
   }
 }

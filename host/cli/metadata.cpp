@@ -10,18 +10,13 @@
 
 namespace facet::cli {
 
-namespace {
-
-/// For a POSIX shell.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
 }
-
-}  // namespace
 
 std::optional<std::string> find_metadata(const Image& image, const std::string& key) {
   const std::string* text = facet::find_metadata(image.metadata, key);
@@ -31,7 +26,7 @@ std::optional<std::string> find_metadata(const Image& image, const std::string& 
 std::string rerun_command(const Image& image, int x, int y) {
   const std::optional<std::string> scene = find_metadata(image, "facet.scene");
   if (!scene) return "";
-  std::string command = fmt::format("facet render {} --pixel {},{} --resolution {}x{}", quoted(*scene), x, y,
+  std::string command = fmt::format("facet render --pixel {},{} --resolution {}x{}", x, y,
                                     image.window.full_width, image.window.full_height);
   constexpr std::array<std::pair<const char*, const char*>, 9> options{
       {{"facet.integrator", "--integrator"},
@@ -46,12 +41,13 @@ std::string rerun_command(const Image& image, int x, int y) {
   for (const auto& [key, option] : options) {
     const std::optional<std::string> value = find_metadata(image, key);
     // An option's value may begin with a minus.
-    if (value) command += fmt::format(" {}={}", option, quoted(*value));
+    if (value) command += fmt::format(" {}={}", option, shell_word(*value));
   }
   if (find_metadata(image, "facet.backend") == "reference" &&
       find_metadata(image, "facet.precision") == "double")
     command += " --precision=double";
-  return command;
+  // A name may begin with a minus.
+  return command + " -- " + shell_word(*scene);
 }
 
 bool share_samples(const Image& a, const Image& b) {

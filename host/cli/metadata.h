@@ -7,6 +7,9 @@
 
 namespace facet::cli {
 
+/// A word as a POSIX shell reads it back: quoted where it must be.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
 /// The text under a key such as "facet.scene".
 [[nodiscard]] std::optional<std::string> find_metadata(const Image& image, const std::string& key);
 

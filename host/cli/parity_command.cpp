@@ -8,6 +8,7 @@
 #include "cli/backend_options.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/metadata.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/render_options.h"
@@ -34,9 +35,9 @@ class ParityJob {
   explicit ParityJob(const RenderOptions& options) : options_(options) {}
 
   ExitCode run() {
-    catch_interrupts();
     check_outputs({}, {options_.json});
     load();
+    catch_interrupts();
     compare();
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (options_.json != "-") print();
@@ -98,14 +99,15 @@ class ParityJob {
   /// The command that renders one sample again.
   [[nodiscard]] std::string command_for(const reference::DivergedSample& d) const {
     std::string command = fmt::format(
-        "facet render {} --pixel {},{} --sample-range {}:{} --seed {} "
+        "facet render --pixel {},{} --sample-range {}:{} --seed {} "
         "--integrator {} --max-depth {} --sampling {}",
-        options_.scene, d.x, d.y, d.sample, d.sample + 1, settings_.seed, scene_.integrator.type.name,
+        d.x, d.y, d.sample, d.sample + 1, settings_.seed, scene_.integrator.type.name,
         scene_.integrator.max_depth, options_.sampling);
     if (options_.resolution) command += " --resolution " + *options_.resolution;
     if (!options_.heuristic.empty()) command += " --heuristic " + options_.heuristic;
     if (!options_.emitter_selection.empty()) command += " --emitter-selection " + options_.emitter_selection;
-    return command;
+    // A name may begin with a minus.
+    return command + " -- " + shell_word(options_.scene);
   }
 
   [[nodiscard]] std::string json_text() const {

@@ -30,7 +30,6 @@ class RenderJob {
   }
 
   ExitCode run() {
-    catch_interrupts();
     check_outputs(outcome_.files, {options_.json});
     const bool silent = options_.backend == "reference" ? render_reference() : render_on_device();
     outcome_.interrupted = was_interrupted();
@@ -49,6 +48,7 @@ class RenderJob {
     std::vector<std::string> outputs = outcome_.files;
     outputs.push_back(options_.json);
     check_no_input_is_written(outputs, diagnostics.inputs());
+    catch_interrupts();
     apply_to_scene(options_, outcome_.scene);
     outcome_.settings = make_settings(options_, outcome_.scene);
     const Crop& crop = outcome_.settings.crop;

@@ -43,9 +43,9 @@ class TestJob {
   explicit TestJob(const TestOptions& options) : options_(options) {}
 
   ExitCode run() {
-    catch_interrupts();
     check_options();
     for (const std::string& file : options_.files) load(file);
+    catch_interrupts();
     const std::unique_ptr<TestRunner> runner = make_runner();
     for (std::size_t i = 0; i < tests_.size() && !was_interrupted(); ++i)
       run_file(options_.files[i], tests_[i], *runner);

@@ -199,7 +199,8 @@ TEST_F(CompareCliTest, BadInput) {
   expect_failure({"compare", "a.exr", "depth.exr"}, 2, {"depth.exr", "no channel R"});
   expect_failure({"compare", "a.exr", "none.exr"}, 2, {"none.exr", "no such file"});
   expect_failure({"compare", "text.exr", "a.exr"}, 2, {"text.exr", "not an OpenEXR, PNG, JPEG or HDR image"});
-  expect_failure({"compare", "a.exr", "scene.xml"}, 2, {"scene.xml", "not an OpenEXR, PNG, JPEG or HDR image"});
+  expect_failure({"compare", "a.exr", "scene.xml"}, 2,
+                 {"scene.xml", "not an OpenEXR, PNG, JPEG or HDR image"});
   expect_failure({"compare", "a.exr"}, 2, {"reference", "required"});
   expect_failure({"compare", "a.exr", "a.exr", "--z-test"}, 2, {"a.exr", "--aov variance"});
 }

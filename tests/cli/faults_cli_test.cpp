@@ -66,25 +66,44 @@ TEST_F(FaultsCliTest, AnOutputThatFailsDoesNotLoseTheOthers) {
   expect_image("good.png");
 }
 
-TEST_F(FaultsCliTest, ASignalOfALostTerminalSavesTheImage) {
-  const pid_t child = start({"render", "scene.xml", "-o", "a.exr", "--spp", "100000000"});
-  // Signals that come before the render watches for them end the program; the file says that it does.
+/// Waits until the render watches for signals: those that come before end the program.
+void wait_until_it_watches(pid_t child) {
   while (true) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    const std::string status = "/proc/" + std::to_string(child) + "/status";
-    std::ifstream file(status);
+    std::ifstream file("/proc/" + std::to_string(child) + "/status");
     std::string line;
     while (std::getline(file, line) && !line.starts_with("SigCgt:")) {
     }
     const bool watches =
         line.starts_with("SigCgt:") && (std::stoull(line.substr(8), nullptr, 16) & 1U << (SIGHUP - 1)) != 0;
-    if (watches || line.empty()) break;
+    if (watches || line.empty()) return;
   }
+}
+
+TEST_F(FaultsCliTest, ASignalOfALostTerminalSavesTheImage) {
+  const pid_t child = start({"render", "scene.xml", "-o", "a.exr", "--spp", "100000000"});
+  wait_until_it_watches(child);
   ASSERT_EQ(::kill(child, SIGHUP), 0);
   const Result result = finish(child);
   EXPECT_EQ(result.code, 130) << result.err;
   EXPECT_TRUE(std::filesystem::exists(folder_.file("a.exr")));
 }
+
+#ifndef __SANITIZE_ADDRESS__
+/// As a driver's that gets no memory.
+TEST_F(FaultsCliTest, ACrashIsToldAndLeavesNothing) {
+  folder_.write("a.exr", "what was there");
+  const auto names = folder_.names();
+  const pid_t child = start({"render", "scene.xml", "-o", "a.exr", "--spp", "100000000"});
+  wait_until_it_watches(child);
+  ASSERT_EQ(::kill(child, SIGSEGV), 0);
+  const Result result = finish(child);
+  EXPECT_EQ(result.code, 3);
+  EXPECT_NE(result.err.find("facet: crashed"), std::string::npos) << result.err;
+  EXPECT_EQ(folder_.read("a.exr"), "what was there");
+  EXPECT_EQ(folder_.names(), names);
+}
+#endif
 
 TEST_F(FaultsCliTest, NoInputIsWritten) {
   write_png(folder_.file("map.png"), Image(1, 1, {"R", "G", "B"}), 0);

@@ -159,7 +159,8 @@ TEST_F(SceneErrorsTest, Files) {
     return "<emitter type=\"environment\"><string name=\"filename\" value=\"" + file + "\"/></emitter>";
   };
   expect_body_error(environment("none.exr"), 3, {"none.exr", "no such file"});
-  expect_body_error(environment("triangle.obj"), 3, {"triangle.obj", "not an OpenEXR, PNG, JPEG or HDR image", "v 0 0 0"});
+  expect_body_error(environment("triangle.obj"), 3,
+                    {"triangle.obj", "not an OpenEXR, PNG, JPEG or HDR image", "v 0 0 0"});
   write_exr(folder_.file("mask.exr"), Image(1, 1, {"A", "Depth.Z"}));
   expect_body_error(environment("mask.exr"), 3, {"mask.exr", "no channels R, G and B", "A, Depth.Z"});
 }
