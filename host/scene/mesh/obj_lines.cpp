@@ -151,10 +151,9 @@ std::string_view ObjLines::joined(std::string_view line) {
   std::string lines;
   bool is_continued = false;
   for (;;) {
-    const std::size_t comment = line.find('#');
-    line = line.substr(0, comment);
+    line = line.substr(0, line.find('#'));
     const std::string_view trimmed = without_blanks_behind(line);
-    const bool continues = comment == std::string_view::npos && trimmed.ends_with('\\');
+    const bool continues = trimmed.ends_with('\\');
     if (!continues && !is_continued) return line;
     lines.append(continues ? trimmed.substr(0, trimmed.size() - 1) : line).append(" ");
     is_continued = true;
