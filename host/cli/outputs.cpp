@@ -1,5 +1,7 @@
 #include "cli/outputs.h"
 
+#include <strings.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -13,9 +15,13 @@ namespace facet::cli {
 
 namespace {
 
+/// In any case.
+bool has_extension(const std::string& file, const char* extension) {
+  return ::strcasecmp(std::filesystem::path(file).extension().c_str(), extension) == 0;
+}
+
 void check_extension(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension != ".exr" && extension != ".png") {
+  if (!has_extension(file, ".exr") && !has_extension(file, ".png")) {
     throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png", file));
   }
 }
@@ -48,7 +54,7 @@ void write_image(const std::string& file, const Image& image, float exposure) {
 
 }  // namespace
 
-bool is_exr(const std::string& file) { return std::filesystem::path(file).extension() == ".exr"; }
+bool is_exr(const std::string& file) { return has_extension(file, ".exr"); }
 
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
   command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")

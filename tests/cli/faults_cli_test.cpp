@@ -33,6 +33,13 @@ TEST_F(FaultsCliTest, AFullLogLosesNoImage) {
   expect_image("b.exr");
 }
 
+TEST_F(FaultsCliTest, ExtensionsMayBeInCapitals) {
+  EXPECT_EQ(run({"render", "scene.xml", "-o", "a.EXR", "-o", "b.Png"}).code, 0);
+  EXPECT_EQ(image_format(folder_.file("a.EXR")), ImageFormat::exr);
+  EXPECT_EQ(image_format(folder_.file("b.Png")), ImageFormat::png);
+  EXPECT_EQ(run({"compare", "a.EXR", "b.Png"}).code, 0);
+}
+
 TEST_F(FaultsCliTest, ClosedDescriptorsLoseNoImage) {
   for (const char* closed : {"2>&-", ">&-", "<&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
     std::filesystem::remove(folder_.file("a.exr"));
