@@ -30,9 +30,9 @@ struct CheckerTexture {
    | filename       |         | relative to the scene file                                           |
    | color          | 1       | factor on the image                                                  |
    | scalex, scaley | 1       | images per unit of u and v                                           |
-   | srgb           | false   | decode sRGB; else a texel is its bytes over 255, as in Nori (16 bits: over
-   65535). OpenEXR and HDR hold values, which are taken as they are |
+   | srgb           | false   | decode sRGB; else a texel is its bytes over 255, as in Nori          |
 
+   Samples of 16 bits are taken over 65535; OpenEXR and HDR hold values, which are taken as they are.
    (u, v) looks up texel ((1 - u) W, (1 - v) H), row 0 being the top one. */
 struct BitmapTexture {
   int width = 1;
