@@ -1,7 +1,5 @@
 #include "cli/outputs.h"
 
-#include <strings.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -17,7 +15,7 @@ namespace {
 
 /// In any case.
 bool has_extension(const std::string& file, const char* extension) {
-  return ::strcasecmp(std::filesystem::path(file).extension().c_str(), extension) == 0;
+  return lower_case(std::filesystem::path(file).extension().string()) == extension;
 }
 
 void check_extension(const std::string& file) {

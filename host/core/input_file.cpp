@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,11 +12,6 @@
 namespace facet {
 
 namespace {
-
-bool same_but_for_case(const std::string& a, const std::string& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 /// The path that exists and differs from the given one in case at most; empty if there is none.
 std::filesystem::path find_in_other_case(const std::filesystem::path& path) {
@@ -31,7 +25,7 @@ std::filesystem::path find_in_other_case(const std::filesystem::path& path) {
     bool has_match = false;
     const std::filesystem::path folder = found.empty() ? "." : found;
     for (std::filesystem::directory_iterator i(folder, ignored), end; i != end; i.increment(ignored)) {
-      if (ignored || !same_but_for_case(i->path().filename().string(), part.string())) continue;
+      if (ignored || lower_case(i->path().filename().string()) != lower_case(part.string())) continue;
       found /= i->path().filename();
       has_match = true;
       break;
@@ -89,12 +83,6 @@ constexpr std::array<Signature, 28> signatures{{
     {"%PDF", "a PDF document"},
 }};
 
-bool contains_in_any_case(std::string_view text, std::string_view word) {
-  return std::search(text.begin(), text.end(), word.begin(), word.end(),
-                     [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); }) !=
-         text.end();
-}
-
 bool looks_like_utf16(std::string_view start) {
   if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) return true;
   // Without a mark, every other byte of text is 0.
@@ -144,8 +132,9 @@ std::optional<std::string> recognise_foreign_file(std::string_view start, std::s
   if (signature != signatures.end())
     return fmt::format("it is {}; convert it to {}", signature->name, wanted);
   if (looks_like_utf16(start)) return "it is text in UTF-16; save it as UTF-8";
+  const std::string text = lower_case(std::string(start));
   if (start[first] == '<' &&
-      (contains_in_any_case(start, "<html") || contains_in_any_case(start, "<!doctype html")))
+      (text.find("<html") != std::string::npos || text.find("<!doctype html") != std::string::npos))
     return "it is a web page in place of the file; download the file itself";
   return std::nullopt;
 }

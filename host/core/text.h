@@ -24,6 +24,12 @@ namespace facet {
 /// " ; did you mean ...?" for an error message, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
+/// Without the blanks and ends of lines around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// A to Z as a to z; other bytes stay.
+[[nodiscard]] std::string lower_case(std::string text);
+
 /// Text from outside as it may stand in a message, on a terminal or in a report: control characters as
 /// `\x1b`, and of more than `most` bytes the beginning and "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = 2000);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -75,12 +74,6 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
   const vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError,
                                                   Type::eValidation | Type::ePerformance, &on_message, log);
   return {instance, info};
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 }  // namespace

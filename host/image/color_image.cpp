@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace facet {
 
 namespace {
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// The channels of a layer's colour, by names of any case: R, G and B, or a luminance Y that serves for all
 /// three; -1 where there is none. layer: "" or "ViewLayer.Combined.".

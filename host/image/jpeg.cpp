@@ -1,16 +1,11 @@
-#include <cerrno>
 #include <csetjmp>
 #include <cstdio>
-#include <cstring>
-#include <memory>
 
 // libjpeg's headers expect what the standard's declare.
 #include <jerror.h>
 #include <jpeglib.h>
 
-#include "core/error.h"
-#include "core/input_file.h"
-#include "image/files.h"
+#include "image/coded_reader.h"
 
 namespace facet {
 
@@ -50,6 +45,7 @@ class JpegReader {
     (void)jpeg_finish_decompress(&info_);
     return true;
   }
+  [[nodiscard]] static std::size_t sample_size() { return 1; }
   [[nodiscard]] unsigned width() const { return info_.image_width; }
   [[nodiscard]] unsigned height() const { return info_.image_height; }
   [[nodiscard]] const char* message() const { return message_; }
@@ -75,23 +71,6 @@ class JpegReader {
 
 }  // namespace
 
-CodedImage read_jpeg(const std::filesystem::path& path) {
-  check_input_file(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
-  JpegReader reader;
-  const auto expect = [&](bool read) {
-    if (!read)
-      throw InputError(fmt::format("{}: not a readable JPEG image: {}", path.string(), reader.message()));
-  };
-  expect(reader.read_header(in.get()));
-  check_file_image_size(path, reader.width(), reader.height(), 3);
-  std::vector<std::uint8_t> pixels(3 * std::size_t{reader.width()} * reader.height());
-  expect(reader.read_pixels(pixels));
-  return {static_cast<int>(reader.width()),
-          static_cast<int>(reader.height()),
-          255,
-          {pixels.begin(), pixels.end()}};
-}
+CodedImage read_jpeg(const std::filesystem::path& path) { return read_coded<JpegReader>(path, "JPEG"); }
 
 }  // namespace facet

@@ -7,12 +7,11 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <new>
 
 #include "core/error.h"
-#include "core/input_file.h"
 #include "image/atomic_file.h"
+#include "image/coded_reader.h"
 #include "image/files.h"
 
 namespace facet {
@@ -108,30 +107,7 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 
 }  // namespace
 
-CodedImage read_png(const std::filesystem::path& path) {
-  check_input_file(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
-  PngReader reader;
-  const auto expect = [&](bool read) {
-    if (!read)
-      throw InputError(fmt::format("{}: not a readable PNG image: {}", path.string(), reader.message()));
-  };
-  expect(reader.read_header(in.get()));
-  check_file_image_size(path, reader.width(), reader.height(), 3);
-  const std::size_t samples = 3 * static_cast<std::size_t>(reader.width()) * reader.height();
-  std::vector<std::uint8_t> pixels(samples * reader.sample_size());
-  expect(reader.read_pixels(pixels));
-  CodedImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), 255, {}};
-  if (reader.sample_size() == 1) {
-    image.codes.assign(pixels.begin(), pixels.end());
-  } else {
-    image.largest = 65535;
-    image.codes.resize(samples);
-    std::memcpy(image.codes.data(), pixels.data(), pixels.size());
-  }
-  return image;
-}
+CodedImage read_png(const std::filesystem::path& path) { return read_coded<PngReader>(path, "PNG"); }
 
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);

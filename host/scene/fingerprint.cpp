@@ -94,6 +94,7 @@ class Hash {
     add(factor);
     add(scale_x);
     add(scale_y);
+    // Textures of bytes keep the number that they had before there were others.
     if (!colors.empty()) add(colors);
   }
   void add(const EnvironmentEmitter& emitter) {

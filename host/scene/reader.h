@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/diagnostics.h"
+#include "image/files.h"
 #include "scene/scene.h"
 
 namespace facet {
@@ -18,9 +19,9 @@ struct Overridden {
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                                const Overridden& overridden = {});
 
-/// Largest image that is accepted: pixels a side, and in all.
-inline constexpr int largest_image_side = 1 << 20;
-inline constexpr long long largest_image_area = 1LL << 28;
+/// Largest image that is rendered, pixels a side and in all: what is written can be read again.
+inline constexpr int largest_image_side = static_cast<int>(largest_file_side);
+inline constexpr long long largest_image_area = largest_file_area;
 
 /// Throws InputError unless width x height lies within the limits above.
 void check_image_size(long long width, long long height);

@@ -9,17 +9,11 @@
 #include <string_view>
 
 #include "core/input_file.h"
+#include "core/text.h"
 
 namespace facet {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
 
 /// A file that another one names, whatever separates its folders.
 std::filesystem::path beside(const std::filesystem::path& folder, std::string_view name) {

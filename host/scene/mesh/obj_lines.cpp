@@ -108,7 +108,7 @@ bool ObjLines::prepare(std::string_view line) {
   std::string_view keyword = next_word(words);
   if (words.empty() && keyword.ends_with('\\')) keyword.remove_suffix(1);
   if (keyword == "usemtl" || keyword == "mtllib") {
-    const std::string_view name = without_blanks_behind(without_blanks_before(words));
+    const std::string_view name = trimmed(words);
     if (keyword == "mtllib") {
       material_files_.emplace_back(name);
       return false;
@@ -152,10 +152,10 @@ std::string_view ObjLines::joined(std::string_view line) {
   bool is_continued = false;
   for (;;) {
     line = line.substr(0, line.find('#'));
-    const std::string_view trimmed = without_blanks_behind(line);
-    const bool continues = trimmed.ends_with('\\');
+    const std::string_view text = without_blanks_behind(line);
+    const bool continues = text.ends_with('\\');
     if (!continues && !is_continued) return line;
-    lines.append(continues ? trimmed.substr(0, trimmed.size() - 1) : line).append(" ");
+    lines.append(continues ? text.substr(0, text.size() - 1) : line).append(" ");
     is_continued = true;
     if (!continues || at_ >= text_.size()) break;
     line = take_line();

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <string_view>
+
+#include "core/text.h"
 
 namespace facet {
 
@@ -68,8 +69,8 @@ std::string from_units(Units units) {
 
 bool declares_latin1(std::string_view bytes) {
   if (!bytes.starts_with("<?xml")) return false;
-  std::string declaration(bytes.substr(0, std::min(bytes.find("?>"), bytes.size())));
-  for (char& c : declaration) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string declaration =
+      lower_case(std::string(bytes.substr(0, std::min(bytes.find("?>"), bytes.size()))));
   return declaration.find("iso-8859-1") != std::string::npos ||
          declaration.find("latin1") != std::string::npos;
 }

@@ -17,10 +17,7 @@ std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& nod
 }
 
 std::string required_word(const XmlDocument& xml, const pugi::xml_node& node) {
-  const std::string text = required_attribute(xml, node, "value");
-  constexpr const char* blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  return std::string(trimmed(required_attribute(xml, node, "value")));
 }
 
 std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute,
