@@ -67,21 +67,29 @@ class Series {
   std::vector<Entry> frames_;
 };
 
+/// first, first * factor, and so on, to last.
+std::vector<std::uint32_t> ladder(std::uint32_t first, std::uint32_t factor, std::uint32_t last) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t number = first; number <= last; number *= factor) numbers.push_back(number);
+  return numbers;
+}
+
 }  // namespace
 
-std::vector<GrowthSeries> measure_growth(gpu::Device& device, int repeats,
+std::vector<GrowthSeries> measure_growth(gpu::Device& device, const GrowthOptions& options,
                                          const std::function<bool()>& go_on) {
   Series pixels("pixels");
-  for (const int size : {64, 128, 256, 512, 1024})
-    pixels.add(static_cast<double>(size) * size, Frame(device, 1, size, 8));
+  for (const std::uint32_t size : ladder(64, 2, options.quick ? 256 : 1024))
+    pixels.add(size * size, Frame(device, 1, static_cast<int>(size), 8));
   Series samples("samples a pixel");
-  for (const std::uint32_t count : {1U, 4U, 16U, 64U, 256U}) samples.add(count, Frame(device, 1, 128, count));
+  for (const std::uint32_t count : ladder(1, 4, options.quick ? 16 : 256))
+    samples.add(count, Frame(device, 1, 128, count));
   Series emitters("emitters");
-  for (const std::size_t count : {1U, 4U, 16U, 64U, 256U, 1024U, 4096U})
-    emitters.add(static_cast<double>(count), Frame(device, count, 256, 16));
+  for (const std::uint32_t count : ladder(1, 4, options.quick ? 256 : 4096))
+    emitters.add(count, Frame(device, count, 256, options.quick ? 4 : 16));
   std::vector<GrowthSeries> complete;
   for (Series* series : {&pixels, &samples, &emitters}) {
-    if (const auto measured = series->measure(repeats, go_on)) complete.push_back(*measured);
+    if (const auto measured = series->measure(options.repeats, go_on)) complete.push_back(*measured);
   }
   return complete;
 }

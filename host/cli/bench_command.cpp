@@ -30,11 +30,17 @@ struct BenchOptions {
   std::string json;
   std::string html;
   bool growth = false;
+  bool quick = false;
   bool with_everything = false;
   bench::TraversalOptions traversal;
 };
 
 const std::vector<std::string> default_meshes{"10k", "70k", "1M"};
+/// Of --quick.
+const std::vector<std::string> quick_meshes{"10k"};
+constexpr std::uint32_t quick_rays = 1U << 14U;
+constexpr int quick_repeats = 3;
+constexpr std::uint32_t quick_samples = 4;
 
 /// "70k" is 70000.
 std::size_t parse_count(const std::string& text) {
@@ -93,7 +99,8 @@ class BenchJob {
  private:
   [[nodiscard]] const std::vector<std::string>& wanted_meshes() const {
     const bool is_default = options_.meshes.empty() && options_.scenes.empty() && !options_.growth;
-    return is_default ? default_meshes : options_.meshes;
+    if (!is_default) return options_.meshes;
+    return options_.quick ? quick_meshes : default_meshes;
   }
 
   Scene load(const std::string& file) {
@@ -122,8 +129,8 @@ class BenchJob {
   }
 
   void grow() {
-    report_.growth =
-        bench::measure_growth(device_, options_.traversal.repeats, [] { return !was_interrupted(); });
+    report_.growth = bench::measure_growth(device_, {options_.traversal.repeats, options_.quick},
+                                           [] { return !was_interrupted(); });
     for (const bench::GrowthSeries& series : report_.growth) tell(text_of(series));
   }
 
@@ -138,6 +145,13 @@ class BenchJob {
   gpu::Device device_;
   BenchReport report_;
 };
+
+/// What was asked for by name stays.
+void make_quick(const CLI::App& command, BenchOptions& o) {
+  if (command.count("--rays") == 0) o.traversal.rays = quick_rays;
+  if (command.count("--repeats") == 0) o.traversal.repeats = quick_repeats;
+  if (command.count("--spp") == 0) o.samples_per_pixel = quick_samples;
+}
 
 }  // namespace
 
@@ -168,10 +182,18 @@ void add_bench_command(CLI::App& app, Action& action) {
                     "Render scenes also with kernels that have every BSDF, emitter and texture in");
   command->add_flag("--growth", o.growth,
                     "Measure how a frame's time grows with pixels, samples and emitters");
+  command->add_flag(
+      "--quick", o.quick,
+      fmt::format("A first look in seconds, with more scatter: --rays {} --repeats {} --spp {}, each unless "
+                  "given; --mesh {} alone; growth in fewer and smaller frames",
+                  quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
   add_device_option(*command, o.device);
   command->add_option("--json", o.json, "Write a report to this file, - for standard output");
   command->add_option("--html", o.html, "Write a page with plots and tables to this file");
-  command->callback([options, &action] { action = [options] { return BenchJob(*options).run(); }; });
+  command->callback([options, command, &action] {
+    if (options->quick) make_quick(*command, *options);
+    action = [options] { return BenchJob(*options).run(); };
+  });
 }
 
 }  // namespace facet::cli

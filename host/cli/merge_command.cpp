@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/part_file.h"
+#include "cli/render_report.h"
 #include "cli/text_file.h"
 #include "core/print.h"
 #include "core/text.h"
@@ -62,6 +63,7 @@ class MergeJob {
     write();
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (!options_.quiet) print_summary();
+    warn_about_heavy_tails(heavy_tails_, samples_.count());
     return ExitCode::done;
   }
 
@@ -87,13 +89,7 @@ class MergeJob {
     for (const std::string& file : options_.outputs) {
       if (!is_exr(file)) others.push_back(file);
     }
-    for (const std::string& file : others) {
-      for (const PartFile& part : parts_) {
-        std::error_code ignored;
-        if (std::filesystem::equivalent(file, part.file, ignored))
-          throw InputError(fmt::format("{}: is one of the parts, and would be overwritten", file));
-      }
-    }
+    check_no_input_is_written(others, {options_.parts.begin(), options_.parts.end()});
   }
 
   void check_gaps() const {
@@ -142,6 +138,7 @@ class MergeJob {
     film_ = parts_[0].read();
     for (std::size_t i = 1; i < parts_.size(); ++i) add_samples(film_, parts_[i].read());
     relmse_ = estimate_relmse(film_);
+    heavy_tails_ = find_heavy_tails(film_);
   }
 
   /// The header of the first samples' part, with what the parts differ in replaced.
@@ -173,7 +170,7 @@ class MergeJob {
     Metadata metadata = make_metadata();
     metadata.insert(metadata.end(), image.metadata.begin(), image.metadata.end());
     image.metadata = std::move(metadata);
-    write_images(options_.outputs, image, options_.exposure);
+    written_ = write_images(options_.outputs, image, options_.exposure);
   }
 
   [[nodiscard]] std::string json_text() const {
@@ -194,9 +191,12 @@ class MergeJob {
         {"fingerprint", first.text("facet.fingerprint")},
         {"seconds", {{"render", seconds()}, {"total", seconds_since_start()}}},
         {"parts", options_.parts},
-        {"output", options_.outputs},
+        {"output", written_},
     };
-    if (film_.has_squares) json["error_estimate"] = {{"relmse", relmse_}, {"relative", std::sqrt(relmse_)}};
+    if (film_.has_squares) {
+      json["error_estimate"] = {{"relmse", relmse_}, {"relative", std::sqrt(relmse_)}};
+      json["heavy_tails"] = json_of(heavy_tails_);
+    }
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   }
 
@@ -205,7 +205,7 @@ class MergeJob {
     say("{}: {} part{} of {}x{} pixels, {} samples each ({}{})\n", parts_[0].text("facet.scene"),
         parts_.size(), parts_.size() == 1 ? "" : "s", film_.width, film_.height, samples_.count(),
         samples_.text(), missing.empty() ? "" : "; missing: " + missing.text());
-    say("wrote {}\n", fmt::join(options_.outputs, " and "));
+    say("wrote {}\n", fmt::join(written_, " and "));
   }
 
   const MergeOptions& options_;
@@ -213,6 +213,8 @@ class MergeJob {
   SampleRanges samples_;
   Film film_;
   double relmse_ = 0;  ///< estimated
+  HeavyTails heavy_tails_;
+  std::vector<std::string> written_;  ///< files
 };
 
 void add_options(CLI::App& command, MergeOptions& o) {

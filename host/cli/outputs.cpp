@@ -37,8 +37,9 @@ void write_as_named(const std::string& file, const Image& image, float exposure)
   }
 }
 
-/// Where the file's folder has gone since the command began, the image goes to the current one.
-void write_image(const std::string& file, const Image& image, float exposure) {
+/// Where the file's folder has gone since the command began, the image goes to the current one. Returns the
+/// path it has.
+std::string write_image(const std::string& file, const Image& image, float exposure) {
   const std::filesystem::path path(file);
   std::error_code unknown;
   const bool lost = path.has_parent_path() && !std::filesystem::exists(path.parent_path(), unknown);
@@ -48,6 +49,7 @@ void write_image(const std::string& file, const Image& image, float exposure) {
         fmt::format("{}: cannot write: no such folder any more, and {} is in the current one", file, place));
   write_as_named(place, image, exposure);
   if (lost) say("warning: {}: no such folder any more; the image is in {}\n", file, place);
+  return place;
 }
 
 }  // namespace
@@ -109,16 +111,19 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
   }
 }
 
-void write_images(const std::vector<std::string>& files, const Image& image, float exposure) {
+std::vector<std::string> write_images(const std::vector<std::string>& files, const Image& image,
+                                      float exposure) {
+  std::vector<std::string> written;
   std::string failures;
   for (const std::string& file : files) {
     try {
-      write_image(file, image, exposure);
+      written.push_back(write_image(file, image, exposure));
     } catch (const InputError& error) {
       failures += (failures.empty() ? "" : "\n") + std::string(error.what());
     }
   }
   if (!failures.empty()) throw InputError(failures);
+  return written;
 }
 
 }  // namespace facet::cli

@@ -31,7 +31,9 @@ void check_no_input_is_written(const std::vector<std::string>& outputs,
 void check_png_size(const std::vector<std::string>& images, int width, int height);
 
 /// Writes the image to every file, in the format that its extension names; then throws InputError if one of
-/// them could not be written.
-void write_images(const std::vector<std::string>& files, const Image& image, float exposure);
+/// them could not be written. Returns where they are: an image whose folder was removed meanwhile is in the
+/// current one.
+[[nodiscard]] std::vector<std::string> write_images(const std::vector<std::string>& files, const Image& image,
+                                                    float exposure);
 
 }  // namespace facet::cli

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "image/part.h"
 
 namespace facet::cli {
@@ -53,6 +54,23 @@ void check_same_scene_content(const PartFile& part, const PartFile& first) {
                   part.file, part.text("facet.scene"), first.file, its, other));
 }
 
+[[noreturn]] void fail_damaged(const PartFile& part, const char* key, const std::string& expected) {
+  throw InputError(
+      fmt::format("{}: damaged: {} is \"{}\", {} expected", part.file, key, part.text(key), expected));
+}
+
+/// Throws InputError where the header's numbers are none, or contradict each other.
+void check_numbers(const PartFile& part) {
+  const std::uint32_t samples = part.samples.count();
+  if (parse_integer(part.text("facet.spp")) != samples) {
+    fail_damaged(part, "facet.spp",
+                 fmt::format("{} by facet.samples {},", samples, part.text("facet.samples")));
+  }
+  if (parse_integer(part.text("facet.seed")).value_or(-1) < 0) fail_damaged(part, "facet.seed", "an integer");
+  if (!(parse_real(part.text("facet.seconds")).value_or(-1) >= 0))
+    fail_damaged(part, "facet.seconds", "a time");
+}
+
 }  // namespace
 
 const std::string& PartFile::text(const std::string& key) const {
@@ -78,9 +96,7 @@ PartFile open_part(const std::string& file) {
                                  ours ? "a whole image and " : "", how_to_make_one));
   }
   const auto samples = SampleRanges::parse(part.text("facet.samples"));
-  if (!samples) {
-    throw InputError(fmt::format("{}: damaged: facet.samples is \"{}\"", file, part.text("facet.samples")));
-  }
+  if (!samples) fail_damaged(part, "facet.samples", "ascending ranges A:B");
   part.samples = *samples;
   if (part.text("facet.complete") != "yes") {
     throw InputError(
@@ -88,6 +104,7 @@ PartFile open_part(const std::string& file) {
                     file, part.samples.text()));
   }
   for (const auto& [key, name] : common_keys) (void)part.text(key);
+  check_numbers(part);
   return part;
 }
 

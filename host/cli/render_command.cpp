@@ -36,6 +36,8 @@ class RenderJob {
     write();
     report();
     print_failings(outcome_.statistics);
+    warn_about_heavy_tails(outcome_.heavy_tails,
+                           outcome_.settings.end_sample - outcome_.settings.first_sample);
     if (outcome_.interrupted) return ExitCode::interrupted;
     return silent && outcome_.statistics.bound_hits == 0 ? ExitCode::done : ExitCode::check_failed;
   }
@@ -113,6 +115,7 @@ class RenderJob {
 
   void keep(Film film) {
     outcome_.relmse = estimate_relmse(film);
+    outcome_.heavy_tails = find_heavy_tails(film);
     const bool with_variance = wants_variance(options_.aovs);
     // What a part holds does not depend on who looked on.
     film.has_squares = with_variance;
@@ -124,7 +127,7 @@ class RenderJob {
     auto metadata = make_metadata(options_, outcome_);
     metadata.insert(metadata.end(), outcome_.image.metadata.begin(), outcome_.image.metadata.end());
     outcome_.image.metadata = std::move(metadata);
-    write_images(outcome_.files, outcome_.image, options_.exposure);
+    outcome_.files = write_images(outcome_.files, outcome_.image, options_.exposure);
     outcome_.write_seconds = seconds_since_start() - start;
   }
 

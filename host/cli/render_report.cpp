@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -84,6 +85,7 @@ std::string make_json_report(const RenderOptions& options, const RenderOutcome& 
       {"samples_per_second", per_second(s, s.samples)},
       {"rays_per_second", per_second(s, s.closest_rays + s.any_rays)},
       {"error_estimate", {{"relmse", o.relmse}, {"relative", std::sqrt(o.relmse)}}},
+      {"heavy_tails", json_of(o.heavy_tails)},
       {"bad_samples", s.bad_samples},
       {"bound_hits", s.bound_hits},
       {"memory", {{"device_bytes", s.device_bytes}, {"host_peak_bytes", host_peak_bytes()}}},
@@ -112,6 +114,21 @@ void print_failings(const RenderStatistics& s) {
     say("warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n",
         s.bound_hits);
   }
+}
+
+void warn_about_heavy_tails(const HeavyTails& tails, std::uint32_t samples) {
+  if (!tails.dominate()) return;
+  std::vector<std::string> worst;
+  for (std::size_t i = 0; i < std::min<std::size_t>(tails.worst.size(), 3); ++i)
+    worst.push_back(fmt::format("({}, {})", tails.worst[i][0], tails.worst[i][1]));
+  say("warning: the error is larger than its estimate: {} pixels rest on fewer than {:g} of their {} "
+      "samples, "
+      "and carry {:.0f} % of the variance, as {} do\n",
+      tails.pixels, HeavyTails::few, samples, std::floor(100 * tails.variance_share), fmt::join(worst, ", "));
+}
+
+nlohmann::ordered_json json_of(const HeavyTails& tails) {
+  return {{"pixels", tails.pixels}, {"variance_share", tails.variance_share}, {"worst", tails.worst}};
 }
 
 }  // namespace facet::cli

@@ -1,11 +1,12 @@
 #pragma once
 // What a render came to, and how it is told: the report in JSON, the header of its images, lines for people.
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/render_options.h"
-#include "image/film.h"
+#include "image/error_estimate.h"
 #include "scene/statistics.h"
 
 namespace facet::cli {
@@ -19,6 +20,7 @@ struct RenderOutcome {
   RenderStatistics statistics;
   Image image;
   double relmse = 0;  ///< estimated
+  HeavyTails heavy_tails;
   double load_seconds = 0;
   double bvh_seconds = 0;
   double write_seconds = 0;
@@ -38,5 +40,11 @@ void print_summary(const RenderOptions& options, const RenderOutcome& outcome);
 
 /// To standard error: what must not happen.
 void print_failings(const RenderStatistics& statistics);
+
+/// To standard error, where the estimated error of an image of so many samples a pixel is not to be trusted.
+void warn_about_heavy_tails(const HeavyTails& tails, std::uint32_t samples);
+
+/// For reports in JSON.
+[[nodiscard]] nlohmann::ordered_json json_of(const HeavyTails& tails);
 
 }  // namespace facet::cli

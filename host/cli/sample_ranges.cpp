@@ -10,12 +10,14 @@ namespace facet::cli {
 
 std::optional<SampleRanges> SampleRanges::parse(std::string_view text) {
   SampleRanges ranges;
+  long long least = 0;
   for (const std::string_view item : split_list(text)) {
     const std::size_t colon = item.find(':');
     if (colon == std::string_view::npos) return std::nullopt;
     const auto begin = parse_integer(item.substr(0, colon));
     const auto end = parse_integer(item.substr(colon + 1));
-    if (!begin || !end || *begin < 0 || *begin >= *end || *end > (1LL << 30)) return std::nullopt;
+    if (!begin || !end || *begin < least || *begin >= *end || *end > (1LL << 30)) return std::nullopt;
+    least = *end;
     ranges.add(SampleRange{static_cast<std::uint32_t>(*begin), static_cast<std::uint32_t>(*end)});
   }
   if (ranges.empty()) return std::nullopt;

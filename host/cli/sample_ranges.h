@@ -18,7 +18,8 @@ struct SampleRange {
 class SampleRanges {
  public:
   SampleRanges() = default;
-  /// "0:8,12:16"; nothing where the text is no such list, or has samples of 2^30 or more.
+  /// "0:8,12:16"; nothing where the text is no such list in ascending order, or has samples of 2^30 or
+  /// more.
   [[nodiscard]] static std::optional<SampleRanges> parse(std::string_view text);
 
   void add(const SampleRange& range);

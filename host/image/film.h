@@ -35,10 +35,6 @@ struct Film {
 /// mean), samples and samples.nonzero; the film must have squares for it.
 [[nodiscard]] Image develop(const Film& film, bool with_variance);
 
-/// Estimated relative mean square error of the image against its expectation, from the variance: the mean
-/// over pixels and channels of variance / (mean^2 + eps), eps = (0.01 mean luminance)^2. 0 without squares.
-[[nodiscard]] double estimate_relmse(const Film& film);
-
 /// Variance of the mean of n samples from the sums of values and of squares; 0 for fewer than two samples.
 [[nodiscard]] double variance_of_mean(double sum, double squares, double n);
 

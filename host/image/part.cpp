@@ -128,6 +128,15 @@ void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& imag
   }
 }
 
+void check_nonzero(const Film& film, const std::string& file) {
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    const PixelSums& pixel = film.pixels[i];
+    if (pixel.nonzero <= pixel.samples) continue;
+    fail_at(film, i, file,
+            fmt::format("has {} samples, but {} of them are not zero", pixel.samples, pixel.nonzero));
+  }
+}
+
 /// Means follow from sums: a file that another program has changed or stored with less precision is found.
 void check_means(const Film& film, const Image& image, const std::string& file) {
   const Image means = develop(film, false);
@@ -184,6 +193,7 @@ Film film_of_part(const Image& image, std::uint32_t most_samples, const std::str
   Film film = make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
   read_counts(film, &PixelSums::samples, image, "samples", most_samples, name);
   read_counts(film, &PixelSums::nonzero, image, "samples.nonzero", most_samples, name);
+  check_nonzero(film, name);
   read_sums(film, &PixelSums::values, image, "sum.", read_exponent(image, sum_exponent_key, name), name);
   if (film.has_squares) {
     read_sums(film, &PixelSums::squares, image, "square.", read_exponent(image, square_exponent_key, name),

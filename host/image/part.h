@@ -16,8 +16,8 @@ namespace facet {
 [[nodiscard]] Image make_part(const Film& film, bool with_variance);
 
 /// The film of a part, its window included. Throws InputError, which begins with the name, for an image that
-/// lacks such channels or metadata, or whose numbers contradict each other: counts that are no counts or
-/// exceed most_samples, or a mean that is not that of its sum.
+/// lacks such channels or metadata, or whose numbers contradict each other: counts that are no counts,
+/// exceed most_samples or each other, or a mean that is not that of its sum.
 [[nodiscard]] Film film_of_part(const Image& image, std::uint32_t most_samples, const std::string& name);
 
 /// Adds the samples of a film of the same size. The sum keeps squares only if both have them.

@@ -102,15 +102,15 @@ TEST_F(BenchCliTest, KernelsWithEverythingInAreLargerAndAnsweredInARowOfTheirOwn
 
 TEST_F(BenchCliTest, GrowthIsMeasuredInPixelsSamplesAndEmitters) {
   const Result result =
-      run({"bench", "--growth", "--repeats", "1", "--json", "report.json", "--html", "page.html"});
+      run({"bench", "--growth", "--quick", "--repeats", "1", "--json", "report.json", "--html", "page.html"});
   ASSERT_EQ(result.code, 0) << result.err;
   expect_words(result.out,
-               {"a frame's time by its pixels:", "1048576", "samples a pixel:", "emitters:", "4096"});
+               {"a frame's time by its pixels:", "65536", "samples a pixel:", "emitters:", "256"});
   const auto report = nlohmann::json::parse(folder_.read("report.json"));
   EXPECT_TRUE(report["traversal"].empty());
   ASSERT_EQ(report["growth"].size(), 3U);
   for (const auto& series : report["growth"]) {
-    EXPECT_GE(series["points"].size(), 5U);
+    EXPECT_GE(series["points"].size(), 3U);
     double before = 0;
     for (const auto& point : series["points"]) {
       EXPECT_GT(point["number"], before);
@@ -118,7 +118,15 @@ TEST_F(BenchCliTest, GrowthIsMeasuredInPixelsSamplesAndEmitters) {
       EXPECT_GT(point["seconds"]["median"], 0);
     }
   }
-  expect_words(folder_.read("page.html"), {"<h2>Growth</h2>", "emitters", "4096"});
+  expect_words(folder_.read("page.html"), {"<h2>Growth</h2>", "emitters", "256"});
+}
+
+TEST_F(BenchCliTest, QuickIsLessOfEachUnlessAskedForByName) {
+  const Result result = run({"bench", "--quick", "--repeats", "1", "--mesh", "1k", "--json", "report.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  ASSERT_GE(report["traversal"].size(), 1U);
+  EXPECT_NEAR(report["traversal"][0]["count"].get<double>(), 1U << 14U, 1U << 9U);
 }
 
 TEST_F(BenchCliTest, MistakesAreNamed) {

@@ -96,6 +96,20 @@ TEST_F(FaultsCliTest, ASignalOfALostTerminalSavesTheImage) {
   EXPECT_TRUE(std::filesystem::exists(folder_.file("a.exr")));
 }
 
+TEST_F(FaultsCliTest, ALostFolderLosesNoImage) {
+  std::filesystem::create_directory(folder_.file("gone"));
+  const pid_t child =
+      start({"render", "scene.xml", "-o", "gone/a.exr", "--json", "a.json", "--spp", "100000000"});
+  wait_until_it_watches(child);
+  std::filesystem::remove(folder_.file("gone"));
+  ASSERT_EQ(::kill(child, SIGTERM), 0);
+  const Result result = finish(child);
+  EXPECT_EQ(result.code, 130) << result.err;
+  expect_words(result.err, {"warning: gone/a.exr: no such folder any more", "wrote a.exr\n"});
+  expect_words(folder_.read("a.json"), {"\"output\": [\n    \"a.exr\"\n  ]"});
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("a.exr")));
+}
+
 #ifndef __SANITIZE_ADDRESS__
 /// As a driver's that gets no memory.
 TEST_F(FaultsCliTest, ACrashIsToldAndLeavesNothing) {

@@ -105,8 +105,29 @@ TEST_F(MergeCliTest, InterruptedAndChangedPartsAreRefused) {
   expect_refusal({"b.exr"}, {"b.exr: ", "interrupted", "0:4"});
   changed("facet.samples", "4:0");
   expect_refusal({"b.exr"}, {"b.exr: ", "facet.samples", "4:0"});
+  for (const char* ranges : {"2:4,0:2", "0:3,2:4", "0:2,1:2", "0:2,2", ":", ""}) {
+    changed("facet.samples", ranges);
+    expect_refusal({"b.exr"}, {"b.exr: damaged: facet.samples is", ranges, "ascending"});
+  }
   changed("facet.samples", "0:3");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: facet.spp is \"4\"", "3 by facet.samples 0:3"});
+  changed("facet.spp", "four");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: facet.spp is \"four\""});
+  changed("facet.seed", "-1");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: facet.seed is \"-1\""});
+  changed("facet.seconds", "soon");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: facet.seconds is \"soon\""});
+  Image fewer = read("a.exr");
+  for (auto& [name, value] : fewer.metadata) {
+    if (name == "facet.samples") value = "0:3";
+    if (name == "facet.spp") value = "3";
+  }
+  write_exr(folder_.file("b.exr"), fewer);
   expect_refusal({"b.exr"}, {"b.exr: ", "pixel (0, 0)", "has 4 in samples", "3 samples"});
+  Image unlike = read("a.exr");
+  unlike.at(8, 10, unlike.find_channel("samples")) = 1;
+  write_exr(folder_.file("b.exr"), unlike);
+  expect_refusal({"b.exr"}, {"b.exr: ", "pixel (8, 10)", "1 samples", "4 of them are not zero"});
   Image brighter = read("a.exr");
   brighter.at(8, 10, brighter.find_channel("G")) = 7;
   write_exr(folder_.file("b.exr"), brighter);

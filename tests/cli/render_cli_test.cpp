@@ -142,10 +142,10 @@ TEST_F(RenderCliTest, JsonHasEveryKeyAndStandardOutputNothingElse) {
   for (const char* key : {"width", "height", "spp", "seed", "triangles", "emitters", "samples_per_second",
                           "rays_per_second", "bad_samples", "bound_hits"})
     EXPECT_TRUE(json.value(key, nlohmann::json()).is_number()) << key;
-  for (const char* path :
-       {"/seconds/load", "/seconds/bvh", "/seconds/compile", "/seconds/render", "/seconds/write",
-        "/seconds/total", "/rays/closest", "/rays/any", "/error_estimate/relmse", "/error_estimate/relative",
-        "/memory/device_bytes", "/memory/host_peak_bytes"})
+  for (const char* path : {"/seconds/load", "/seconds/bvh", "/seconds/compile", "/seconds/render",
+                           "/seconds/write", "/seconds/total", "/rays/closest", "/rays/any",
+                           "/error_estimate/relmse", "/error_estimate/relative", "/heavy_tails/pixels",
+                           "/heavy_tails/variance_share", "/memory/device_bytes", "/memory/host_peak_bytes"})
     EXPECT_TRUE(json.value(nlohmann::json::json_pointer(path), nlohmann::json()).is_number()) << path;
 }
 
@@ -169,6 +169,24 @@ TEST_F(RenderCliTest, JsonTellsTheTruth) {
   EXPECT_GE(json["rays"]["closest"], 1024);
   EXPECT_GT(json["error_estimate"]["relmse"], 0);
   EXPECT_GE(json["seconds"]["total"], json["seconds"]["render"]);
+}
+
+TEST_F(RenderCliTest, WarnsWhereTheEstimatedErrorIsNotToBeTrusted) {
+  folder_.write("light.obj", "v 0 3 0\nv 0.3 3 0\nv 0.3 3 0.3\nv 0 3 0.3\nf 1 2 3 4\n");
+  const std::vector<std::string> options{"render", "scene.xml", "-o",     "a.exr",  "--spp",
+                                         "64",     "--quiet",   "--json", "a.json", "--integrator"};
+  const auto with = [&](const std::string& integrator) {
+    auto words = options;
+    words.push_back(integrator);
+    return run(words);
+  };
+  expect_words(with("direct_mats").err,
+               {"warning: the error is larger than its estimate", "fewer than 4 of"});
+  const auto json = nlohmann::json::parse(folder_.read("a.json"));
+  EXPECT_GT(json["heavy_tails"]["pixels"], 5);
+  EXPECT_GT(json["heavy_tails"]["variance_share"], 0.9);
+  EXPECT_EQ(json["heavy_tails"]["worst"][0].size(), 2U);
+  EXPECT_EQ(with("direct_ems").err, "");
 }
 
 TEST_F(RenderCliTest, JsonAndPixelTogetherStayParsable) {

@@ -1,0 +1,79 @@
+#include "image/error_estimate.h"
+
+#include <algorithm>
+
+namespace facet {
+
+namespace {
+
+/// Of one pixel, summed over its channels.
+struct PixelError {
+  double variance = 0;  ///< of the mean
+  double squared_mean = 0;
+
+  explicit PixelError(const PixelSums& pixel) {
+    const double n = pixel.samples;
+    for (std::size_t c = 0; c < 3; ++c) {
+      variance += variance_of_mean(pixel.values[c], pixel.squares[c], n);
+      const double mean = n > 0 ? pixel.values[c] / n : 0;
+      squared_mean += mean * mean;
+    }
+  }
+};
+
+}  // namespace
+
+double estimate_relmse(const Film& film) {
+  if (!film.has_squares) return 0;
+  const auto count = static_cast<double>(film.pixels.size());
+  double luminance_sum = 0;
+  for (const PixelSums& p : film.pixels) {
+    const auto& v = p.values;
+    if (p.samples > 0) luminance_sum += (0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2]) / p.samples;
+  }
+  const double hundredth = 0.01 * luminance_sum / count;
+  const double epsilon = hundredth * hundredth;
+  double total = 0;
+  for (const PixelSums& p : film.pixels) {
+    const double n = p.samples;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double variance = variance_of_mean(p.values[c], p.squares[c], n);
+      const double mean = n > 0 ? p.values[c] / n : 0;
+      if (variance > 0) total += variance / (mean * mean + epsilon);
+    }
+  }
+  return total / (3.0 * count);
+}
+
+HeavyTails find_heavy_tails(const Film& film) {
+  HeavyTails tails;
+  if (!film.has_squares) return tails;
+  double all = 0;
+  double theirs = 0;
+  std::vector<std::pair<double, std::size_t>> found;
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    const PixelError error(film.pixels[i]);
+    all += error.variance;
+    const bool tells = film.pixels[i].samples >= HeavyTails::least_samples;
+    if (!tells || !(error.squared_mean < HeavyTails::few * error.variance)) continue;
+    theirs += error.variance;
+    found.emplace_back(error.variance, i);
+  }
+  if (found.empty()) return tails;
+  tails.pixels = found.size();
+  tails.variance_share = theirs / all;
+  const std::size_t count = std::min<std::size_t>(found.size(), 10);
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+                    [](const auto& a, const auto& b) {
+                      return a.first != b.first ? a.first > b.first : a.second < b.second;
+                    });
+  const auto width = static_cast<std::size_t>(film.width);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = found[k].second;
+    tails.worst.push_back(
+        {film.window.x + static_cast<int>(i % width), film.window.y + static_cast<int>(i / width)});
+  }
+  return tails;
+}
+
+}  // namespace facet
