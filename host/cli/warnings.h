@@ -5,7 +5,8 @@
 
 namespace facet::cli {
 
-/// Adds warnings about scenes that will be black, or hidden from the camera.
+/// Adds warnings about scenes that will be black or hidden from the camera, and about emitters whose light is
+/// a matter of rounding.
 void warn_about_scene(const Scene& scene, Diagnostics& diagnostics);
 
 /// To standard error.

@@ -189,6 +189,45 @@ TEST_F(RenderCliTest, WarnsWhereTheEstimatedErrorIsNotToBeTrusted) {
   EXPECT_EQ(with("direct_ems").err, "");
 }
 
+TEST_F(RenderCliTest, WarnsOfPixelsNarrowerThanDirectionsCanTell) {
+  const auto warnings = [&](const std::string& origin, const std::string& fov) {
+    folder_.write("narrow.xml", R"(<scene><integrator type="normals"/><camera type="perspective">
+<integer name="width" value="16"/><integer name="height" value="16"/><float name="fov" value=")" +
+                                    fov + R"("/><transform name="toWorld"><lookat origin=")" + origin +
+                                    R"(" target="0 0 0" up="0 1 0"/></transform></camera>)" + floor() +
+                                    "</scene>");
+    return run({"render", "narrow.xml", "-o", "a.exr", "--quiet"}).err;
+  };
+  expect_words(warnings("3 2 1", "0.001"), {"narrow.xml: ", "fov 0.001", "0.05 pixels", "in double"});
+  EXPECT_EQ(warnings("3 2 1", "0.003"), "");
+  EXPECT_EQ(warnings("0 0 5", "0.001"), "");
+}
+
+TEST_F(RenderCliTest, WarnsOfLampsThatLieInAWall) {
+  const auto warnings = [&](const std::string& meshes) {
+    write_scene("lamps.xml", meshes);
+    return run({"render", "lamps.xml", "-o", "a.exr", "--quiet"}).err;
+  };
+  folder_.write("ceiling.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
+  folder_.write("turned.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 4 3 2\n");
+  folder_.write("higher.obj", "v -1 1.00001 -1\nv 1 1.00001 -1\nv 1 1.00001 1\nv -1 1.00001 1\nf 1 2 3 4\n");
+  folder_.write("foot.obj", "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 2 3 4\n");
+  const std::string wall = "<bsdf type=\"diffuse\"/>";
+  const auto expect_warning = [](const std::string& text, const char* other) {
+    expect_words(text, {"warning: ", "lamps.xml:", "light.obj and", other, "lie in one plane"});
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  };
+  expect_warning(warnings(light() + mesh("ceiling.obj", wall)), "ceiling.obj");
+  // A wall that shows its back hides the lamp as well.
+  expect_warning(warnings(light() + mesh("turned.obj", wall)), "turned.obj");
+  expect_warning(warnings(light() + light()), "light.obj");
+  EXPECT_EQ(warnings(light() + mesh("higher.obj", wall)), "");
+  // The underside of a lamp that stands on the floor is nobody's light.
+  EXPECT_EQ(warnings(floor() + light() + mesh("foot.obj", "<emitter type=\"area\"/>")), "");
+  write_scene("lamps.xml", light() + mesh("ceiling.obj", wall));
+  expect_failure({"render", "lamps.xml", "-o", "a.exr", "--strict"}, 2, {"lie in one plane", "--strict"});
+}
+
 TEST_F(RenderCliTest, JsonAndPixelTogetherStayParsable) {
   const Result result = run({"render", "scene.xml", "--quiet", "--pixel", "8,10", "--json", "-"});
   EXPECT_EQ(result.code, 0);

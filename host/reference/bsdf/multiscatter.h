@@ -5,12 +5,12 @@
 
 namespace facet::reference {
 
-/// Albedo with F = 1 seen under a cosine: the table at (sqrt(cosine), sqrt(alpha)), bilinear.
+/// Albedo with F = 1 seen under a cosine: the table, bilinear between its nodes.
 template <typename Real>
 [[nodiscard]] Real lossless_albedo(const bsdf::MicrofacetOptions& options, Real alpha, Real cosine) {
   const bsdf::AlbedoTable& table = bsdf::albedo_table(options);
   constexpr std::size_t cells = bsdf::albedo_nodes - 1;
-  const Real x = std::sqrt(std::min(cosine, Real(1))) * cells;
+  const Real x = cosine * (1 + alpha) / (cosine + alpha) * cells;
   const Real y = std::sqrt(alpha) * cells;
   const std::size_t column = std::min(static_cast<std::size_t>(x), cells - 1);
   const std::size_t row = std::min(static_cast<std::size_t>(y), cells - 1);

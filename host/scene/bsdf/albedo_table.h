@@ -7,7 +7,9 @@
 
 namespace facet::bsdf {
 
-/// Nodes along both axes: cos_o = x^2 and alpha = y^2, x and y equally spaced over [0, 1].
+/// Nodes along both axes: x = cos_o (1 + alpha)/(cos_o + alpha) and alpha = y^2, x and y equally spaced over
+/// [0, 1]. Masking depends on the ratio of cos_o and alpha where both are small, so that x keeps the albedo
+/// smooth for every alpha.
 inline constexpr std::size_t albedo_nodes = shared::ALBEDO_NODES;
 
 /// Directional albedo of D G/(4 cos_i cos_o), that is of a conductor with F = 1: [alpha][cos_o].
