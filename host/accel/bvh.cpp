@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "accel/binary_bvh.h"
+#include "accel/leaf_boxes.h"
 #include "accel/wide_tree.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -47,6 +48,9 @@ std::uint32_t name_bits(const std::array<int, 4>& vertices) {
 /// What item 0 holds.
 constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 1, 0)};
 
+/// Of leaves, where many boxes overlap: at 120 bytes each.
+constexpr std::size_t most_copies = 1U << 22U;
+
 /// Subtrees of fewer wide nodes are one task.
 constexpr std::uint32_t parallel_size = 1U << 13U;
 
@@ -54,30 +58,37 @@ constexpr std::uint32_t parallel_size = 1U << 13U;
 struct Subtree {
   std::uint32_t levels = 0;
   double visit_cost = 0;  ///< sum of the half areas of nodes and leaves
+  double leaf_area = 0;   ///< sum of the half areas of leaves
+  double crowding = 0;    ///< the most leaves that a random ray through one of the nodes' boxes meets
 };
 
 /// Collapses the binary hierarchy into nodes of four children with quantised boxes. A subtree's blocks follow
 /// one another, and how many they are is known, so that its parts are made side by side.
 class Collapser {
  public:
-  Collapser(const BinaryBvh& binary, std::span<const TrianglePair> pairs,
+  Collapser(const BinaryBvh& binary, const LeafBoxes& boxes, std::span<const TrianglePair> pairs,
             std::span<const TriangleCorners> triangles, Bvh& bvh)
-      : binary_(binary), wide_(binary), pairs_(pairs), triangles_(triangles), bvh_(bvh) {}
+      : binary_(binary), boxes_(boxes), wide_(binary), pairs_(pairs), triangles_(triangles), bvh_(bvh) {}
 
   /// The root is a node even if it has one leaf alone.
   [[nodiscard]] std::size_t node_count() const { return std::max(1U, wide_.node_count(binary_.root())); }
 
-  void collapse() {
+  /// Returns the whole.
+  Subtree collapse() {
     bvh_.bounds = binary_.box(binary_.root());
     bvh_.node_count = node_count();
     bvh_.items.resize((bvh_.node_count + 1) * shared::BLOCK_SIZE);
     bvh_.pairs.resize(bvh_.items.size());
     bvh_.places.resize(triangles_.size());
+    bvh_.copies.resize(boxes_.copies.size());
     clear_block(0);
     set_item(bvh_.items.front(), no_triangle);
     const Subtree whole = collapse(binary_.root(), shared::ROOT_ITEM, 1);
     bvh_.stack_size = whole.levels;
     bvh_.sah_cost = whole.visit_cost / std::max(1e-30, static_cast<double>(bvh_.bounds.half_area()));
+    for (std::size_t i = 0; i < bvh_.copies.size(); ++i)
+      bvh_.copies[i].original = bvh_.places[pairs_[boxes_.copies[i]].first] / 2;
+    return whole;
   }
 
  private:
@@ -113,12 +124,17 @@ class Collapser {
     for (const Subtree& s : below) {
       result.levels = std::max(result.levels, s.levels);
       result.visit_cost += s.visit_cost;
+      result.leaf_area += s.leaf_area;
+      result.crowding = std::max(result.crowding, s.crowding);
     }
     ++result.levels;
     for (std::uint32_t c = inner_count; c < children.count; ++c) {
       place_leaf(binary_.primitive(children.nodes[c]), first + c);
-      result.visit_cost += binary_.box(children.nodes[c]).half_area();
+      const double area = binary_.box(children.nodes[c]).half_area();
+      result.visit_cost += area;
+      result.leaf_area += area;
     }
+    if (box.half_area() > 0) result.crowding = std::max(result.crowding, result.leaf_area / box.half_area());
     return result;
   }
 
@@ -128,9 +144,11 @@ class Collapser {
     std::fill_n(bvh_.pairs.begin() + first, shared::BLOCK_SIZE, shared::PairRecord{});
   }
 
-  /// Makes the item a leaf: a pair of triangles, or one alone.
-  void place_leaf(std::uint32_t pair_index, std::size_t item) {
-    const TrianglePair& pair = pairs_[pair_index];
+  /// Makes the item a leaf: a pair of triangles, or one alone. The place of the pair's first leaf is its own.
+  void place_leaf(std::uint32_t primitive, std::size_t item) {
+    const TrianglePair& pair = pairs_[boxes_.pair_of(primitive)];
+    const bool is_copy = primitive >= boxes_.pair_count;
+    if (is_copy) bvh_.copies[primitive - boxes_.pair_count].item = static_cast<std::uint32_t>(item);
     const TriangleCorners& p = triangles_[pair.first];
     const std::array<int, 3> turned{pair.turn, (pair.turn + 1) % 3, (pair.turn + 2) % 3};
     std::array<vec3, 4> corners{};
@@ -138,7 +156,7 @@ class Collapser {
     corners[3] = corners[2];
     shared::PairRecord& names = bvh_.pairs[item];
     names.name0 = pair.first | name_bits({turned[0], turned[1], turned[2], -1});
-    bvh_.places[pair.first] = static_cast<std::uint32_t>(2 * item);
+    if (!is_copy) bvh_.places[pair.first] = static_cast<std::uint32_t>(2 * item);
     if (pair.second != none) {
       const TriangleCorners& q = triangles_[pair.second];
       const int after = (pair.apex + 1) % 3;
@@ -148,7 +166,7 @@ class Collapser {
       const bool is_after = q[static_cast<std::size_t>(after)] == corners[0];
       names.name1 =
           pair.second | name_bits({is_after ? after : before, -1, is_after ? before : after, pair.apex});
-      bvh_.places[pair.second] = static_cast<std::uint32_t>(2 * item + 1);
+      if (!is_copy) bvh_.places[pair.second] = static_cast<std::uint32_t>(2 * item + 1);
     }
     set_item(bvh_.items[item], corners);
   }
@@ -180,24 +198,12 @@ class Collapser {
   }
 
   const BinaryBvh& binary_;
+  const LeafBoxes& boxes_;
   WideTree wide_;
   std::span<const TrianglePair> pairs_;
   std::span<const TriangleCorners> triangles_;
   Bvh& bvh_;
 };
-
-UnfilledVector<BvhPrimitive> make_primitives(std::span<const TrianglePair> pairs,
-                                             std::span<const TriangleCorners> triangles) {
-  UnfilledVector<BvhPrimitive> primitives(pairs.size());
-  parallel_for(pairs.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Box box = bounds_of(triangles[pairs[i].first]);
-      if (pairs[i].second != none) box.add(bounds_of(triangles[pairs[i].second]));
-      primitives[i] = BvhPrimitive(box, static_cast<std::uint32_t>(i));
-    }
-  });
-  return primitives;
-}
 
 /// Refuses a hierarchy of at least so many nodes if they are too many.
 void check_node_count(std::size_t nodes, std::size_t triangles) {
@@ -242,10 +248,19 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   const std::vector<TrianglePair> pairs = pair_triangles(triangles);
   // Every node but the root takes the place of one child, and makes room for at most so many.
   check_node_count((pairs.size() + shared::BLOCK_SIZE - 3) / (shared::BLOCK_SIZE - 1), triangles.size());
-  const BinaryBvh binary(make_primitives(pairs, triangles));
-  Collapser collapser(binary, pairs, triangles, bvh);
-  check_node_count(collapser.node_count(), triangles.size());
-  collapser.collapse();
+  LeafBoxes boxes = make_leaf_boxes(pairs, triangles);
+  const auto build = [&](const BinaryBvh& binary) {
+    Collapser collapser(binary, boxes, pairs, triangles, bvh);
+    check_node_count(collapser.node_count(), triangles.size());
+    return collapser.collapse();
+  };
+  const BinaryBvh binary(std::move(boxes.primitives));
+  if (build(binary).crowding <= most_met_leaves) return bvh;
+  // A hierarchy has fewer nodes than leaves.
+  const std::size_t room =
+      shared::LARGEST_BLOCK_COUNT - std::min<std::size_t>(pairs.size(), shared::LARGEST_BLOCK_COUNT);
+  boxes = divide_crowded(binary, pairs, triangles, std::min(most_copies, room));
+  if (!boxes.copies.empty()) build(BinaryBvh(std::move(boxes.primitives)));
   return bvh;
 }
 

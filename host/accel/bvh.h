@@ -14,10 +14,17 @@
 
 namespace facet {
 
+/// A leaf that holds the same triangles as another.
+struct CopiedLeaf {
+  std::uint32_t item = 0;
+  std::uint32_t original = 0;  ///< the item of which `places` tells
+};
+
 struct Bvh {
   UnfilledVector<shared::BvhItem> items;
   UnfilledVector<shared::PairRecord> pairs;  ///< of each item; names hold the input's indices, meshes are 0
   UnfilledVector<std::uint32_t> places;      ///< of each triangle of the input: 2 * item + half
+  std::vector<CopiedLeaf> copies;            ///< where triangles are in several leaves
   std::size_t node_count = 0;
   std::uint32_t stack_size = 0;  ///< levels of nodes: entries that a traversal needs at most
   Box bounds;

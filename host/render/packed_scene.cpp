@@ -113,6 +113,8 @@ class Packer {
       name = (name & ~shared::NAME_INDEX_MASK) | sources_[s].id;
       (place % 2 == 0 ? pair.mesh0 : pair.mesh1) = sources_[s].mesh;
     }
+    for (const CopiedLeaf& copy : packed_.bvh.copies)
+      packed_.bvh.pairs[copy.item] = packed_.bvh.pairs[copy.original];
   }
 
   /// Triangles of each area emitter with their cumulative counts and densities; returns the emitter's area.

@@ -263,5 +263,65 @@ TEST(Traversal, big_and_tiny_triangles_together) {
   expect_right_hits(scene, 1e-4, 1000);
 }
 
+/// A disc of radius 1 about the origin, facing +z, whose triangles all begin at its centre.
+Mesh make_fan(int count) {
+  std::vector<vec3> corners;
+  const auto at = [&](int i) {
+    const double phi = 2 * 3.14159265358979 * i / count;
+    return vec3(std::cos(phi), std::sin(phi), 0);
+  };
+  for (int i = 0; i < count; ++i) {
+    corners.emplace_back(0);
+    corners.push_back(at(i));
+    corners.push_back(at(i + 1));
+  }
+  return make_mesh(corners);
+}
+
+/// Boxes of long triangles that point everywhere hold most of the disc: a ray would meet a quarter of them,
+/// more than a traversal can visit.
+TEST(Traversal, fans_are_traversed_whole_and_found_to_be_what_they_are) {
+  constexpr int count = 100'000;
+  Scene scene = make_scene("direct_mats");
+  add_mesh(scene, make_quad({-2, -2, -1}, {2, -2, -1}, {2, 2, -1}, {-2, 2, -1}), bsdf::Diffuse{});
+  add_mesh(scene, make_fan(count), bsdf::Diffuse{Color(0)}, Color(3));
+  set_camera(scene, 64, 28, {0, 0, 4}, {0, 0, 0});
+  gpu::Device device = make_device();
+  const RenderSettings settings = whole_image(scene, 1);
+  const PackedScene packed = pack_scene(scene);
+  EXPECT_GT(packed.bvh.copies.size(), 100'000U);
+  Renderer renderer(device, packed, find_features(scene, settings), settings);
+  const std::vector<shared::RayRecord> rays = renderer.camera_rays();
+  RayTracer tracer(device, packed, static_cast<std::uint32_t>(rays.size()));
+  tracer.set_rays(rays);
+  tracer.trace_closest();
+  const std::vector<shared::HitRecord> hits = tracer.hits();
+  tracer.trace_any();
+  const std::vector<bool> occluded = tracer.occluded();
+  EXPECT_EQ(tracer.bound_hits(), 0U);
+  int on_fan = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_TRUE(occluded[i]);
+    const dvec3 o(rays[i].origin);
+    const dvec3 d(rays[i].direction);
+    const double t = -o.z / d.z;
+    const dvec3 p = o + t * d;
+    const double radius = std::hypot(p.x, p.y);
+    if (radius > 0.99999) continue;
+    ++on_fan;
+    ASSERT_NEAR(hits[i].t, t, 1e-5);
+    // The first two triangles are the quad's.
+    const double turns = std::atan2(p.y, p.x) / (2 * 3.14159265358979);
+    const double sector = (turns < 0 ? turns + 1 : turns) * count + 2;
+    ASSERT_NEAR(packed.scene_index(hits[i].triangle) + 0.5, sector, 0.5 + 1e-2 / radius);
+  }
+  EXPECT_GT(on_fan, 3000);
+  // The fan emits, wherever a leaf's copy was hit.
+  const Image image = render(scene, 4).image;
+  for (int y = 20; y < 44; ++y) {
+    for (int x = 20; x < 44; ++x) ASSERT_EQ(image.at(x, y, 0), 3);
+  }
+}
+
 }  // namespace
 }  // namespace facet::test
