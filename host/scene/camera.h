@@ -16,7 +16,8 @@ namespace facet {
 
    Holds one rfilter, by default `gaussian`. It looks along +z of its space, +x to the left of the image, +y
    up, as in Nori: a bare lookat (whose x is the viewer's left) shows the world as it is, and scale -1, 1, 1
-   mirrors it. */
+   mirrors it. Directions are single-precision: where a pixel is narrower than 32 of their roundings and the
+   camera is turned, edges lie beside their places, and facet warns. */
 struct Camera {
   int width = 1280;
   int height = 720;

@@ -6,7 +6,8 @@
    | scale     | 1       | factor on it                                       |
 
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
-   angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the probability of the triangle and A its area. */
+   angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the probability of the triangle and A its area.
+   It must not lie in the plane of another surface that it overlaps: rounding decides which of the two a ray meets. */
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/surface.glsl"

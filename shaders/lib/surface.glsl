@@ -18,25 +18,17 @@ struct Surface {
 
 vec3 fetch_normal(uint i) { return uintBitsToFloat(normal_texel(i).xyz); }
 
-/// Direction of the normal of a long thin triangle, by its winding: from the two shorter edges, of which only their perpendicular parts count, so
-/// that no digits cancel.
-vec3 thin_triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
-  vec3 a = v1 - v0;
-  vec3 b = v2 - v0;
-  vec3 c = v2 - v1;
-  float a2 = dot3(a, a);
-  float b2 = dot3(b, b);
-  float c2 = dot3(c, c);
-  vec3 e = normalize_safe(a2 > b2 && a2 > c2 ? b : a);
-  vec3 f = normalize_safe(c2 >= a2 && c2 >= b2 ? b : c);
-  return cross3(e, normalize_safe(f - dot3(e, f) * e));
-}
-
-/// Unit normal of a triangle by its winding. Where the edges at the first vertex are not almost parallel, their product has all digits, and
-/// components that are 0 by symmetry stay so.
+/// Unit normal of a triangle by its winding. Of two edges that are almost parallel only their perpendicular parts count, so that no digits cancel;
+/// the product of others has all digits as it is, and components that are 0 by symmetry stay so.
 vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
-  vec3 n = cross3(normalize_safe(v1 - v0), normalize_safe(v2 - v0));
-  return normalize_safe(dot3(n, n) < 0.01 ? thin_triangle_normal(v0, v1, v2) : n);
+  vec3 to_v2 = v2 - v0;
+  vec3 opposite = v2 - v1;
+  vec3 e = normalize_safe(v1 - v0);
+  // The shorter one: of a needle's two long edges, neither tells much of its width.
+  vec3 f = normalize_safe(dot3(to_v2, to_v2) <= dot3(opposite, opposite) ? to_v2 : opposite);
+  vec3 n = cross3(e, f);
+  vec3 of_thin = cross3(e, f - dot3(e, f) * e);
+  return normalize_safe(dot3(n, n) < 0.01 ? of_thin : n);
 }
 
 /// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in order of reading.
