@@ -111,7 +111,9 @@ void add_sides(const TriangleCorners& triangle, int axis, float plane, std::arra
     const double share =
         (static_cast<double>(plane) - from[axis]) / (static_cast<double>(to[axis]) - from[axis]);
     const vec3 crossing(dvec3(from) + (dvec3(to) - dvec3(from)) * share);
-    for (Box& side : sides) side.add(crossing);
+    // More than it is rounded by: no part may fall between two boxes.
+    const vec3 margin = 0x1p-23F * glm::max(glm::abs(from), glm::abs(to));
+    for (Box& side : sides) side.add(Box{crossing - margin, crossing + margin});
   }
 }
 
@@ -224,13 +226,6 @@ void for_each_crowded(const BinaryBvh& binary, const Found& found) {
   }
 }
 
-/// Crossings of edges and planes are rounded.
-Box padded(const Box& box) {
-  const vec3 size = glm::max(glm::abs(box.lower), glm::abs(box.upper));
-  const vec3 margin = size * 0x1p-22F;
-  return {box.lower - margin, box.upper + margin};
-}
-
 }  // namespace
 
 LeafBoxes make_leaf_boxes(std::span<const TrianglePair> pairs, std::span<const TriangleCorners> triangles) {
@@ -260,11 +255,11 @@ LeafBoxes divide_crowded(const BinaryBvh& binary, std::span<const TrianglePair> 
     for (const Piece& piece : crowd.pieces) {
       if (!known[piece.pair]) {
         known[piece.pair] = true;
-        divided.primitives[piece.pair] = BvhPrimitive(padded(piece.box), piece.pair);
+        divided.primitives[piece.pair] = BvhPrimitive(piece.box, piece.pair);
         continue;
       }
       const std::size_t index = pairs.size() + divided.copies.size();
-      divided.primitives.emplace_back(padded(piece.box), static_cast<std::uint32_t>(index));
+      divided.primitives.emplace_back(piece.box, static_cast<std::uint32_t>(index));
       divided.copies.push_back(piece.pair);
     }
   }
