@@ -160,6 +160,17 @@ AreaEmitter SceneReader::read_mesh_emitter(const pugi::xml_node& node) {
   return emitter;
 }
 
+std::uint32_t SceneReader::read_material_texture(const std::filesystem::path& map,
+                                                 const std::string& material, const SourceLocation& where) {
+  try {
+    scene_.textures.emplace_back(read_material_map(map, where, diagnostics_));
+  } catch (const InputError& e) {
+    diagnostics_.warn(where, fmt::format("material \"{}\": {}; its colour stands in", material, e.what()));
+    return none;
+  }
+  return static_cast<std::uint32_t>(scene_.textures.size() - 1);
+}
+
 std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts, const std::filesystem::path& folder,
                                               const SourceLocation& where) {
   std::vector<Bsdf> bsdfs;
@@ -178,14 +189,7 @@ std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts, const std::
     diffuse.albedo = color;
     if (map.empty()) continue;
     const auto [texture, is_new] = textures.try_emplace(map, none);
-    if (is_new) {
-      try {
-        scene_.textures.emplace_back(read_material_map(map, where, diagnostics_));
-        texture->second = static_cast<std::uint32_t>(scene_.textures.size() - 1);
-      } catch (const InputError& e) {
-        diagnostics_.warn(where, fmt::format("material \"{}\": {}; its colour stands in", name, e.what()));
-      }
-    }
+    if (is_new) texture->second = read_material_texture(map, name, where);
     diffuse.albedo.texture = texture->second;
   }
   if (!unknown.empty()) {

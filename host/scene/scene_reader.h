@@ -30,6 +30,9 @@ class SceneReader {
   /// An error, but a warning where an option takes its place.
   void forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden);
   void read_mesh(const pugi::xml_node& node);
+  /// Index of a material's map among the textures; none, with a warning, where it cannot be read.
+  std::uint32_t read_material_texture(const std::filesystem::path& map, const std::string& material,
+                                      const SourceLocation& where);
   /// What the materials of an OBJ file in that folder say of each of its parts.
   [[nodiscard]] std::vector<Bsdf> read_materials(const ObjParts& parts, const std::filesystem::path& folder,
                                                  const SourceLocation& where);
