@@ -13,6 +13,13 @@ namespace facet::cli {
 
 namespace {
 
+/// A sanitizer tells more of a crash than we do.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 volatile std::sig_atomic_t interrupted = 0;
 
 /// The first signal asks for an end, the second is one.
@@ -48,7 +55,7 @@ void catch_interrupts() {
 }
 
 void tell_of_crashes() {
-#ifndef __SANITIZE_ADDRESS__
+  if (is_sanitized) return;
   // A stack of its own: the usual one may have come to its end.
   static std::array<char, 1U << 16U> stack;
   stack_t alternative{};
@@ -59,7 +66,6 @@ void tell_of_crashes() {
   action.sa_handler = on_crash;
   action.sa_flags = SA_ONSTACK;
   for (const int number : {SIGSEGV, SIGBUS}) (void)::sigaction(number, &action, nullptr);
-#endif
 }
 
 bool was_interrupted() { return interrupted != 0; }
