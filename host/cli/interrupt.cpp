@@ -7,18 +7,12 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/sanitized.h"
 #include "image/atomic_file.h"
 
 namespace facet::cli {
 
 namespace {
-
-/// A sanitizer tells more of a crash than we do.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
 
 volatile std::sig_atomic_t interrupted = 0;
 

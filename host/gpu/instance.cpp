@@ -1,6 +1,10 @@
+#include <dlfcn.h>
+#include <link.h>
+
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/sanitized.h"
 #include "core/text.h"
 #include "gpu/device.h"
 #include "gpu/requirements.h"
@@ -76,13 +80,25 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
   return {instance, info};
 }
 
+/// Never unloads what is loaded by now. What drivers keep for the process is lost when they are unloaded, and
+/// would be reported as leaks.
+void keep_libraries_loaded() {
+  const auto keep = [](dl_phdr_info* library, std::size_t /*size*/, void* /*data*/) {
+    (void)::dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    return 0;
+  };
+  (void)::dl_iterate_phdr(keep, nullptr);
+}
+
 }  // namespace
 
 Instance::Instance(bool validate)
     : validation_(std::make_unique<ValidationLog>()),
       context_(make_context()),
       instance_(make_instance(context_, validate)),
-      messenger_(make_messenger(instance_, validate, validation_.get())) {}
+      messenger_(make_messenger(instance_, validate, validation_.get())) {
+  if (is_sanitized) keep_libraries_loaded();
+}
 
 Instance::~Instance() = default;
 
