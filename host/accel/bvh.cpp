@@ -48,7 +48,7 @@ std::uint32_t name_bits(const std::array<int, 4>& vertices) {
 /// What item 0 holds.
 constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 1, 0)};
 
-/// Of leaves, where many boxes overlap: at 120 bytes each.
+/// Further leaves that dividing boxes may make, each of which takes about 100 bytes with its share of nodes.
 constexpr std::size_t most_copies = 1U << 22U;
 
 /// Subtrees of fewer wide nodes are one task.
@@ -249,19 +249,25 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   // Every node but the root takes the place of one child, and makes room for at most so many.
   check_node_count((pairs.size() + shared::BLOCK_SIZE - 3) / (shared::BLOCK_SIZE - 1), triangles.size());
   LeafBoxes boxes = make_leaf_boxes(pairs, triangles);
-  const auto build = [&](const BinaryBvh& binary) {
-    Collapser collapser(binary, boxes, pairs, triangles, bvh);
-    check_node_count(collapser.node_count(), triangles.size());
-    return collapser.collapse();
-  };
   const BinaryBvh binary(std::move(boxes.primitives));
-  if (build(binary).crowding <= most_met_leaves) return bvh;
-  // A hierarchy has fewer nodes than leaves.
-  const std::size_t room =
-      shared::LARGEST_BLOCK_COUNT - std::min<std::size_t>(pairs.size(), shared::LARGEST_BLOCK_COUNT);
-  boxes = divide_crowded(binary, pairs, triangles, std::min(most_copies, room));
-  if (!boxes.copies.empty()) build(BinaryBvh(std::move(boxes.primitives)));
-  return bvh;
+  Collapser collapser(binary, boxes, pairs, triangles, bvh);
+  check_node_count(collapser.node_count(), triangles.size());
+  if (collapser.collapse().crowding <= most_met_leaves) return bvh;
+  // A tenth less than there is room for, if nodes have as many leaves as now.
+  const double room = 0.9 * static_cast<double>(pairs.size()) * (shared::LARGEST_BLOCK_COUNT - 1) /
+                          static_cast<double>(bvh.node_count) -
+                      static_cast<double>(pairs.size());
+  if (room < 1) return bvh;
+  boxes = divide_crowded(binary, pairs, triangles, std::min(most_copies, static_cast<std::size_t>(room)));
+  if (boxes.copies.empty()) return bvh;
+  const BinaryBvh divided(std::move(boxes.primitives));
+  Bvh second;
+  Collapser second_collapser(divided, boxes, pairs, triangles, second);
+  if (second_collapser.node_count() >= shared::LARGEST_BLOCK_COUNT) return bvh;
+  second_collapser.collapse();
+  // Its boxes have margins; the bounds are those of the triangles.
+  second.bounds = bvh.bounds;
+  return second;
 }
 
 }  // namespace facet

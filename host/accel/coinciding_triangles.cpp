@@ -119,19 +119,23 @@ CoincidenceFinder::CoincidenceFinder(std::vector<TriangleCorners> triangles)
   if (!triangles_.empty()) tree_.emplace(primitives_of(triangles_));
 }
 
-void CoincidenceFinder::find(const TriangleCorners& other,
+void CoincidenceFinder::find(const TriangleCorners& other, std::size_t most_looked_at,
                              const std::function<void(std::size_t)>& found) const {
   if (!tree_) return;
   const Box box = inflated(other);
   std::vector<BinaryBvh::Node> waiting{tree_->root()};
-  while (!waiting.empty()) {
+  std::size_t looked_at = 0;
+  while (!waiting.empty() && looked_at < most_looked_at) {
     const BinaryBvh::Node node = waiting.back();
     waiting.pop_back();
     if (!overlap(tree_->box(node), box)) continue;
     if (!BinaryBvh::is_leaf(node)) {
       waiting.push_back(tree_->second(node));
       waiting.push_back(tree_->first(node));
-    } else if (coincide(triangles_[tree_->primitive(node)], other)) {
+      continue;
+    }
+    ++looked_at;
+    if (coincide(triangles_[tree_->primitive(node)], other)) {
       found(tree_->primitive(node));
     }
   }

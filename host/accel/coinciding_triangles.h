@@ -19,7 +19,10 @@ class CoincidenceFinder {
   explicit CoincidenceFinder(std::vector<TriangleCorners> triangles);
 
   /// Calls `found` with the index of each triangle that coincides with the other one, in no certain order.
-  void find(const TriangleCorners& other, const std::function<void(std::size_t)>& found) const;
+  /// Looks at no more than so many triangles whose boxes the other's meets: where very many boxes overlap,
+  /// some that coincide may not be found.
+  void find(const TriangleCorners& other, std::size_t most_looked_at,
+            const std::function<void(std::size_t)>& found) const;
 
  private:
   std::vector<TriangleCorners> triangles_;

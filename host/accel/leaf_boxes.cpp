@@ -100,8 +100,14 @@ float best_plane(const Crowd& crowd, int axis) {
   return best;
 }
 
-/// Adds what of the triangle lies to either side of a plane to the boxes of the two sides.
+/// Adds what of the triangle lies to either side of a plane to the boxes of the two sides, and a margin where
+/// the plane cuts it: as much as intersection tests err, which is relative to the whole triangle, however
+/// small its parts are.
 void add_sides(const TriangleCorners& triangle, int axis, float plane, std::array<Box, 2>& sides) {
+  const Box whole = bounds_of(triangle);
+  const vec3 extent = whole.extent();
+  const vec3 margin = 0x1p-21F * (extent.x + extent.y + extent.z) +
+                      0x1p-23F * glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
   for (std::size_t i = 0; i < 3; ++i) {
     const vec3& from = triangle[i];
     const vec3& to = triangle[(i + 1) % 3];
@@ -111,8 +117,6 @@ void add_sides(const TriangleCorners& triangle, int axis, float plane, std::arra
     const double share =
         (static_cast<double>(plane) - from[axis]) / (static_cast<double>(to[axis]) - from[axis]);
     const vec3 crossing(dvec3(from) + (dvec3(to) - dvec3(from)) * share);
-    // More than it is rounded by: no part may fall between two boxes.
-    const vec3 margin = 0x1p-23F * glm::max(glm::abs(from), glm::abs(to));
     for (Box& side : sides) side.add(Box{crossing - margin, crossing + margin});
   }
 }
@@ -136,15 +140,15 @@ class Divider {
       const std::size_t number = waiting_.top().number;
       waiting_.pop();
       const std::size_t size = crowds_[number].pieces.size();
-      const std::size_t limit = std::min(largest, size > most_visited ? 2 * most : most);
-      if (piece_count_ + size <= limit) divide_crowd(number);
+      divide_crowd(number, std::min(largest, size > most_visited ? 2 * most : most));
     }
   }
 
   [[nodiscard]] const std::vector<Crowd>& crowds() const { return crowds_; }
 
  private:
-  void divide_crowd(std::size_t number) {
+  /// Unless that helps little, or makes more than so many pieces in all.
+  void divide_crowd(std::size_t number, std::size_t limit) {
     const Crowd& whole = crowds_[number];
     const int axis = longest_axis(whole.bounds.extent());
     const float plane = best_plane(whole, axis);
@@ -153,7 +157,9 @@ class Divider {
     const bool parts_them = halves[0].cost() + halves[1].cost() < worth_while * whole.cost();
     const bool shrinks_them = halves[0].area + halves[1].area < worth_while * whole.area;
     if (!parts_them && !shrinks_them) return;
-    piece_count_ -= whole.pieces.size();
+    const std::size_t others = piece_count_ - whole.pieces.size();
+    if (others + halves[0].pieces.size() + halves[1].pieces.size() > limit) return;
+    piece_count_ = others;
     crowds_[number] = Crowd();
     for (Crowd& half : halves) add(std::move(half));
   }

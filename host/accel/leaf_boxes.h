@@ -14,7 +14,7 @@ struct LeafBoxes {
   /// The first of each pair has the pair's index, further ones follow with indices from pair_count on.
   UnfilledVector<BvhPrimitive> primitives;
   std::size_t pair_count = 0;
-  std::vector<std::uint32_t> copies;  ///< pairs of the further ones
+  std::vector<std::uint32_t> copies;  ///< the pair of each further one, in the order of their indices
 
   /// The pair of a primitive's index.
   [[nodiscard]] std::uint32_t pair_of(std::uint32_t index) const {
@@ -35,6 +35,8 @@ inline constexpr double most_met_leaves = 512;
 /// example, whose boxes all hold the place where they meet and much around it, then has boxes that follow
 /// them. Stops where a division helps little, and at some dozens of boxes for each pair there. Returns no
 /// copies where there is nothing to divide. Deterministic.
+/// The field calls this splitting references beforehand, or early split clipping: M. Ernst, G. Greiner,
+/// "Early Split Clipping for Bounding Volume Hierarchies", RT 2007.
 [[nodiscard]] LeafBoxes divide_crowded(const BinaryBvh& binary, std::span<const TrianglePair> pairs,
                                        std::span<const TriangleCorners> triangles, std::size_t most_copies);
 

@@ -22,7 +22,7 @@ struct GrowthSeries {
 /// What is measured, and how often.
 struct GrowthOptions {
   int repeats = 7;
-  /// Fewer and smaller frames, a fiftieth of the work: images to 256x256 pixels, 16 samples, 256 emitters.
+  /// Fewer and smaller frames, a tenth of the work: images to 256x256 pixels, 16 samples, 256 emitters.
   bool quick = false;
 };
 

@@ -63,7 +63,7 @@ class MergeJob {
     write();
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (!options_.quiet) print_summary();
-    warn_about_heavy_tails(heavy_tails_, samples_.count());
+    warn_about_heavy_tails(heavy_tails_);
     return ExitCode::done;
   }
 

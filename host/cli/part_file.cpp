@@ -66,7 +66,8 @@ void check_numbers(const PartFile& part) {
     fail_damaged(part, "facet.spp",
                  fmt::format("{} by facet.samples {},", samples, part.text("facet.samples")));
   }
-  if (parse_integer(part.text("facet.seed")).value_or(-1) < 0) fail_damaged(part, "facet.seed", "an integer");
+  if (parse_integer(part.text("facet.seed")).value_or(-1) < 0)
+    fail_damaged(part, "facet.seed", "an integer from 0 on");
   if (!(parse_real(part.text("facet.seconds")).value_or(-1) >= 0))
     fail_damaged(part, "facet.seconds", "a time");
 }

@@ -36,8 +36,7 @@ class RenderJob {
     write();
     report();
     print_failings(outcome_.statistics);
-    warn_about_heavy_tails(outcome_.heavy_tails,
-                           outcome_.settings.end_sample - outcome_.settings.first_sample);
+    warn_about_heavy_tails(outcome_.heavy_tails);
     if (outcome_.interrupted) return ExitCode::interrupted;
     return silent && outcome_.statistics.bound_hits == 0 ? ExitCode::done : ExitCode::check_failed;
   }
@@ -55,7 +54,7 @@ class RenderJob {
     outcome_.settings = make_settings(options_, outcome_.scene);
     const Crop& crop = outcome_.settings.crop;
     check_png_size(outcome_.files, crop.x1 - crop.x0, crop.y1 - crop.y0);
-    warn_about_scene(outcome_.scene, diagnostics);
+    warn_about_scene(outcome_.scene, diagnostics, options_.precision == "double");
     print_warnings(diagnostics);
     // Sums of squares serve the variance channels and the error estimates of the report and the progress bar.
     outcome_.settings.variance = wants_variance(options_.aovs) || !options_.json.empty() ||

@@ -116,7 +116,7 @@ void print_failings(const RenderStatistics& s) {
   }
 }
 
-void warn_about_heavy_tails(const HeavyTails& tails, std::uint32_t samples) {
+void warn_about_heavy_tails(const HeavyTails& tails) {
   if (!tails.dominate()) return;
   std::vector<std::string> worst;
   for (std::size_t i = 0; i < std::min<std::size_t>(tails.worst.size(), 3); ++i)
@@ -124,7 +124,8 @@ void warn_about_heavy_tails(const HeavyTails& tails, std::uint32_t samples) {
   say("warning: the error is larger than its estimate: {} pixels rest on fewer than {:g} of their {} "
       "samples, "
       "and carry {:.0f} % of the variance, as {} do\n",
-      tails.pixels, HeavyTails::few, samples, std::floor(100 * tails.variance_share), fmt::join(worst, ", "));
+      tails.pixels, HeavyTails::few, tails.samples, std::floor(100 * tails.variance_share),
+      fmt::join(worst, ", "));
 }
 
 nlohmann::ordered_json json_of(const HeavyTails& tails) {

@@ -41,8 +41,8 @@ void print_summary(const RenderOptions& options, const RenderOutcome& outcome);
 /// To standard error: what must not happen.
 void print_failings(const RenderStatistics& statistics);
 
-/// To standard error, where the estimated error of an image of so many samples a pixel is not to be trusted.
-void warn_about_heavy_tails(const HeavyTails& tails, std::uint32_t samples);
+/// To standard error, where the estimated error of an image is not to be trusted.
+void warn_about_heavy_tails(const HeavyTails& tails);
 
 /// For reports in JSON.
 [[nodiscard]] nlohmann::ordered_json json_of(const HeavyTails& tails);

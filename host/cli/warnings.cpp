@@ -78,17 +78,25 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> find_coinciding_emitters(const
     }
   }
   const CoincidenceFinder finder(std::move(emitting));
+  // A second or two, however many boxes overlap.
+  constexpr std::size_t most_tests = 20'000'000;
+  const std::size_t most_looked_at =
+      std::max<std::size_t>(64, most_tests / std::max<std::size_t>(1, scene.triangle_count()));
   const dvec3 camera(scene.camera.to_world[3]);
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
   std::mutex mutex;
   for (std::uint32_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     const auto look_at = [&](const TrianglePlace& other) {
       const TriangleCorners corners = corners_of(scene, other);
-      finder.find(corners, [&](std::size_t k) {
+      finder.find(corners, most_looked_at, [&](std::size_t k) {
         if (places[k] == other || !compete(corners_of(scene, places[k]), corners, camera)) return;
         const bool both_emit = scene.meshes[mesh].emitter != none;
         const std::scoped_lock lock(mutex);
-        if (!both_emit || places[k].mesh <= mesh) pairs.insert({places[k].mesh, mesh});
+        if (both_emit && mesh < places[k].mesh) {
+          pairs.insert({mesh, places[k].mesh});
+        } else {
+          pairs.insert({places[k].mesh, mesh});
+        }
       });
     };
     parallel_for(scene.meshes[mesh].position_indices.size(), 1U << 14U,
@@ -130,7 +138,7 @@ void warn_about_narrow_pixels(const Scene& scene, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
+void warn_about_scene(const Scene& scene, Diagnostics& diagnostics, bool in_double) {
   const SourceLocation where{scene.file.string(), 0};
   if (scene.triangle_count() == 0) diagnostics.warn(where, "the scene has no triangles");
   if (scene.integrator.needs_emitters() && scene.emitters.empty()) {
@@ -154,7 +162,7 @@ void warn_about_scene(const Scene& scene, Diagnostics& diagnostics) {
     }
   }
   warn_about_coinciding_emitters(scene, diagnostics);
-  warn_about_narrow_pixels(scene, diagnostics);
+  if (!in_double) warn_about_narrow_pixels(scene, diagnostics);
   if (is_clipped_away(scene)) {
     diagnostics.warn(
         where,

@@ -57,6 +57,7 @@ HeavyTails find_heavy_tails(const Film& film) {
     const bool tells = film.pixels[i].samples >= HeavyTails::least_samples;
     if (!tells || !(error.squared_mean < HeavyTails::few * error.variance)) continue;
     theirs += error.variance;
+    tails.samples = std::max(tails.samples, film.pixels[i].samples);
     found.emplace_back(error.variance, i);
   }
   if (found.empty()) return tails;

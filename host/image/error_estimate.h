@@ -25,6 +25,7 @@ struct HeavyTails {
   static constexpr std::uint32_t least_samples = 16;
 
   std::uint64_t pixels = 0;
+  std::uint32_t samples = 0;  ///< the most that one of them has
   double variance_share = 0;  ///< of the sum of all pixels' variances
   /// Up to ten pixels (x, y) of the whole image, those of the largest variances, largest first.
   std::vector<std::array<int, 2>> worst;

@@ -12,7 +12,9 @@ float albedo_node(uint table, uint column, uint row) { return fetch_albedo((tabl
 float microfacet_albedo(float cosine, Microfacets m) {
   uint table = HAS_FLAG(m.flags, BSDF_EXACT_MASKING) ? ALBEDO_BECKMANN_EXACT : ALBEDO_BECKMANN_RATIONAL;
   table = HAS_FLAG(m.flags, BSDF_GGX) ? ALBEDO_GGX : table;
-  vec2 at = vec2(cosine * (1.0 + m.alpha) / (cosine + m.alpha), sqrt(m.alpha)) * 31.0;  // nodes - 1
+  // From behind it is asked for too, and not used.
+  float c = max(cosine, 0.0);
+  vec2 at = vec2(c * (1.0 + m.alpha) / (c + m.alpha), sqrt(m.alpha)) * 31.0;  // nodes - 1
   vec2 base = min(floor(at), vec2(30.0));
   vec2 f = at - base;
   uint x = uint(base.x);

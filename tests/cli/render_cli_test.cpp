@@ -199,6 +199,9 @@ TEST_F(RenderCliTest, WarnsOfPixelsNarrowerThanDirectionsCanTell) {
     return run({"render", "narrow.xml", "-o", "a.exr", "--quiet"}).err;
   };
   expect_words(warnings("3 2 1", "0.001"), {"narrow.xml: ", "fov 0.001", "0.05 pixels", "in double"});
+  const Result in_double = run({"render", "narrow.xml", "-o", "a.exr", "--quiet", "--strict", "--backend",
+                                "reference", "--precision", "double"});
+  EXPECT_EQ(in_double.code, 0) << in_double.err;
   EXPECT_EQ(warnings("3 2 1", "0.003"), "");
   EXPECT_EQ(warnings("0 0 5", "0.001"), "");
 }
@@ -222,6 +225,11 @@ TEST_F(RenderCliTest, WarnsOfLampsThatLieInAWall) {
   expect_warning(warnings(light() + mesh("turned.obj", wall)), "turned.obj");
   expect_warning(warnings(light() + light()), "light.obj");
   EXPECT_EQ(warnings(light() + mesh("higher.obj", wall)), "");
+  // Two lamps back to back, the camera on one's bright side, in either order.
+  folder_.write("back.obj", "v -0.5 1 -0.5\nv 0.5 1 -0.5\nv 0.5 1 0.5\nv -0.5 1 0.5\nf 4 3 2 1\n");
+  const std::string back = mesh("back.obj", "<emitter type=\"area\"/>");
+  expect_words(warnings(light() + back), {"lie in one plane"});
+  expect_words(warnings(back + light()), {"lie in one plane"});
   // The underside of a lamp that stands on the floor is nobody's light.
   EXPECT_EQ(warnings(floor() + light() + mesh("foot.obj", "<emitter type=\"area\"/>")), "");
   write_scene("lamps.xml", light() + mesh("ceiling.obj", wall));

@@ -78,7 +78,7 @@ TEST(CoincidingTriangles, TheTreeFindsAllOfThem) {
   for (int i = 0; i < 200; ++i) {
     const TriangleCorners other = draw(i % 2 == 0);
     std::vector<std::size_t> found;
-    finder.find(other, [&](std::size_t k) { found.push_back(k); });
+    finder.find(other, 1000, [&](std::size_t k) { found.push_back(k); });
     std::sort(found.begin(), found.end());
     std::vector<std::size_t> expected;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -88,7 +88,7 @@ TEST(CoincidingTriangles, TheTreeFindsAllOfThem) {
     count += found.size();
   }
   EXPECT_GT(count, 1000U);
-  CoincidenceFinder({}).find(lower, [](std::size_t /*k*/) { ADD_FAILURE(); });
+  CoincidenceFinder({}).find(lower, 1000, [](std::size_t /*k*/) { ADD_FAILURE(); });
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ TEST(LeafBoxes, CoverEveryPointOfEveryTriangle) {
       for (const std::uint32_t t : {divided.pairs[i].first, divided.pairs[i].second}) {
         if (t == none) continue;
         for (int k = 0; k < 40; ++k) {
-          const double u = k < 3 ? k % 2 : std::sqrt(uniform(engine));
+          // The corners first.
+          const double u = k < 3 ? std::min(k, 1) : std::sqrt(uniform(engine));
           const double v = k < 3 ? k / 2 : uniform(engine);
           const vec3 point(dvec3(triangles[t][0]) * (1 - u) + dvec3(triangles[t][1]) * (u * (1 - v)) +
                            dvec3(triangles[t][2]) * (u * v));
