@@ -122,8 +122,7 @@ void warn_about_heavy_tails(const HeavyTails& tails) {
   for (std::size_t i = 0; i < std::min<std::size_t>(tails.worst.size(), 3); ++i)
     worst.push_back(fmt::format("({}, {})", tails.worst[i][0], tails.worst[i][1]));
   say("warning: the error is larger than its estimate: {} pixels rest on fewer than {:g} of their {} "
-      "samples, "
-      "and carry {:.0f} % of the variance, as {} do\n",
+      "samples, and carry {:.0f} % of the variance, as {} do\n",
       tails.pixels, HeavyTails::few, tails.samples, std::floor(100 * tails.variance_share),
       fmt::join(worst, ", "));
 }

@@ -109,12 +109,11 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> find_coinciding_emitters(const
 
 void warn_about_coinciding_emitters(const Scene& scene, Diagnostics& diagnostics) {
   for (const auto& [emitting, other] : find_coinciding_emitters(scene)) {
-    const std::string name = scene.meshes[other].name;
     diagnostics.warn(
         scene.meshes[emitting].where,
         fmt::format("the emitting mesh {} and {} lie in one plane and overlap: rounding decides which of the "
                     "two a ray meets, and estimators differ in it; move one of them a little",
-                    scene.meshes[emitting].name, emitting == other ? "itself" : name));
+                    scene.meshes[emitting].name, emitting == other ? "itself" : scene.meshes[other].name));
   }
 }
 
