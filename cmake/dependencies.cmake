@@ -13,3 +13,6 @@ find_package(pugixml REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+# Embree is what `facet bench` compares with, where it is installed.
+find_package(embree 3 QUIET)

@@ -1,12 +1,15 @@
-# cmake --install: the program, the library with its headers, a CMake package, and the scenes.
+# cmake --install: the program, the library with its header, a CMake package, and the scenes.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/facet)
 install(TARGETS facet facet_library EXPORT facet-targets)
 install(EXPORT facet-targets NAMESPACE facet:: DESTINATION ${package_folder})
-install(DIRECTORY host/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/facet FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE)
-install(DIRECTORY shaders/shared DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/facet)
-install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/scenes PATTERN "generate" EXCLUDE PATTERN ".gitignore" EXCLUDE)
-configure_package_config_file(cmake/facet-config.cmake.in ${CMAKE_BINARY_DIR}/facet-config.cmake INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/facet-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/facet-config.cmake ${CMAKE_BINARY_DIR}/facet-config-version.cmake DESTINATION ${package_folder})
+install(DIRECTORY include/facet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/scenes
+  PATTERN "generate" EXCLUDE PATTERN ".gitignore" EXCLUDE)
+configure_package_config_file(cmake/facet-config.cmake.in ${CMAKE_BINARY_DIR}/facet-config.cmake
+  INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/facet-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/facet-config.cmake ${CMAKE_BINARY_DIR}/facet-config-version.cmake
+  DESTINATION ${package_folder})

@@ -13,26 +13,23 @@ namespace {
 class Frame {
  public:
   Frame(gpu::Device& device, std::size_t emitters, int size, std::uint32_t samples) : device_(device) {
-    Scene scene = generate_scene(10'000, emitters);
-    scene.integrator.type = find_integrator_type("direct_mis").value();
-    scene.camera.width = scene.camera.height = size;
-    settings_.crop = {0, 0, size, size};
-    settings_.end_sample = samples;
-    packed_ = pack_scene(scene);
-    features_ = find_features(scene, settings_);
+    const Scene scene = generate_scene(10'000, emitters);
+    RenderRequest request;
+    request.integrator = "direct_mis";
+    request.size = {size, size};
+    request.samples = static_cast<int>(samples);
+    packed_ = pack_scene(scene, resolve(scene, request));
   }
 
   double seconds() {
-    Renderer renderer(device_, packed_, features_, settings_);
-    renderer.render([](double /*done*/, const RenderStatistics& /*so_far*/) { return true; });
+    Renderer renderer(device_, packed_);
+    renderer.render({});
     return renderer.statistics().render_seconds;
   }
 
  private:
   gpu::Device& device_;
-  RenderSettings settings_;
   PackedScene packed_;
-  Features features_;
 };
 
 class Series {

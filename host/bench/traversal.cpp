@@ -19,21 +19,24 @@ double seconds_of(const Work& work) {
   return seconds_since(start);
 }
 
-/// Gives the camera's image about so many pixels, and square ones.
-void resize(Camera& camera, std::uint32_t pixels) {
-  const double aspect = static_cast<double>(camera.width) / camera.height;
-  camera.height = std::max(1, static_cast<int>(std::sqrt(pixels / aspect)));
-  camera.width = std::max(1, static_cast<int>(static_cast<double>(pixels) / camera.height));
+/// Settings of an image of about so many pixels, and square ones; a path each.
+RenderSettings settings_for(const Scene& scene, std::uint32_t pixels) {
+  const double aspect = static_cast<double>(scene.camera.width) / scene.camera.height;
+  ImageSize size;
+  size.height = std::max(1, static_cast<int>(std::sqrt(pixels / aspect)));
+  size.width = std::max(1, static_cast<int>(static_cast<double>(pixels) / size.height));
+  RenderRequest request;
+  request.integrator = "path_mis";
+  request.samples = 1;
+  request.size = size;
+  RenderSettings settings = resolve(scene, request);
+  settings.paths_in_flight = static_cast<std::uint32_t>(size.width) * static_cast<std::uint32_t>(size.height);
+  return settings;
 }
 
 /// What the renderer's own camera sends into the scene, in its order.
-std::vector<shared::RayRecord> camera_rays(gpu::Device& device, const Scene& scene,
-                                           const PackedScene& packed) {
-  RenderSettings settings;
-  settings.crop = {0, 0, scene.camera.width, scene.camera.height};
-  settings.paths_in_flight =
-      static_cast<std::uint32_t>(scene.camera.width) * static_cast<std::uint32_t>(scene.camera.height);
-  return Renderer(device, packed, find_features(scene, settings), settings).camera_rays();
+std::vector<shared::RayRecord> camera_rays(gpu::Device& device, const PackedScene& packed) {
+  return Renderer(device, packed).camera_rays();
 }
 
 /// One set of rays through both.
@@ -133,9 +136,8 @@ BuildRow measure_builds(const PackedScene& packed, Yardstick* yardstick, int rep
 
 TraversalResult measure_traversal(gpu::Device& device, const std::string& name, Scene scene,
                                   const TraversalOptions& options) {
-  resize(scene.camera, options.rays);
-  const PackedScene packed = pack_scene(scene);
-  const std::vector<shared::RayRecord> camera = camera_rays(device, scene, packed);
+  const PackedScene packed = pack_scene(scene, settings_for(scene, options.rays));
+  const std::vector<shared::RayRecord> camera = camera_rays(device, packed);
   scene.meshes.clear();
   RayTracer tracer(device, packed, static_cast<std::uint32_t>(camera.size()));
   const std::unique_ptr<Yardstick> yardstick = make_yardstick(packed);

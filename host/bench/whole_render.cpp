@@ -1,6 +1,7 @@
 #include "bench/whole_render.h"
 
 #include <numeric>
+#include <optional>
 
 #include "core/clock.h"
 #include "render/renderer.h"
@@ -12,24 +13,23 @@ namespace {
 /// Renders with one set of kernels.
 class Series {
  public:
-  Series(gpu::Device& device, const Scene& scene, const PackedScene& packed, const Features& features,
-         const RenderSettings& settings)
-      : device_(device), packed_(packed), features_(features), settings_(settings) {
-    row_.integrator = scene.integrator.type.name;
-    row_.samples_per_pixel = settings.end_sample;
+  Series(gpu::Device& device, const PackedScene& packed) : device_(device), packed_(packed) {
+    row_.integrator = packed.settings.integrator.type.name;
+    row_.samples_per_pixel = packed.settings.samples.end;
   }
 
   void run() {
     const auto start = std::chrono::steady_clock::now();
-    Renderer renderer(device_, packed_, features_, settings_);
+    Renderer renderer(device_, packed_);
     if (rates_.empty()) {
       row_.startup_seconds = seconds_since(start);
       row_.compile_seconds = renderer.statistics().compile_seconds;
       row_.device_bytes = renderer.statistics().device_bytes;
       row_.kernel_instructions = renderer.statistics().kernel_instructions;
     }
-    renderer.render([](double /*done*/, const RenderStatistics& /*so_far*/) { return true; });
+    renderer.render({});
     last_ = renderer.statistics();
+    stages_ = renderer.stage_seconds();
     rates_.push_back(static_cast<double>(last_.samples) / last_.render_seconds);
   }
 
@@ -40,43 +40,46 @@ class Series {
     row.samples_per_second = summarise(rates_);
     const auto rays = static_cast<double>(last_.closest_rays + last_.any_rays);
     row.rays_per_second = row.samples_per_second.median * rays / static_cast<double>(last_.samples);
-    const double total = std::accumulate(last_.stage_seconds.begin(), last_.stage_seconds.end(), 0.0);
+    const double total = std::accumulate(stages_.begin(), stages_.end(), 0.0);
     for (std::size_t i = 0; i < row.stage_shares.size(); ++i)
-      row.stage_shares[i] = total > 0 ? last_.stage_seconds[i] / total : 0;
+      row.stage_shares[i] = total > 0 ? stages_[i] / total : 0;
     return row;
   }
 
  private:
   gpu::Device& device_;
   const PackedScene& packed_;
-  Features features_;
-  RenderSettings settings_;
   RenderRow row_;
   std::vector<double> rates_;
   RenderStatistics last_;
+  StageSeconds stages_{};
 };
 
 }  // namespace
 
 std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name, const Scene& scene,
                                       const RenderOptions& options) {
-  RenderSettings settings;
-  settings.crop = {0, 0, scene.camera.width, scene.camera.height};
-  settings.seed = scene.seed;
-  settings.end_sample = options.samples_per_pixel;
+  RenderRequest request;
+  request.samples = static_cast<int>(options.samples_per_pixel);
+  RenderSettings settings = resolve(scene, request);
   settings.time_stages = true;
   const auto start = std::chrono::steady_clock::now();
-  const PackedScene packed = pack_scene(scene);
+  const PackedScene packed = pack_scene(scene, settings);
   const double packing_seconds = seconds_since(start);
-  const Features features = find_features(scene, settings);
-  Series own(device, scene, packed, features, settings);
-  Series everything(device, scene, packed, features.with_everything(), settings);
+  Series own(device, packed);
+  std::optional<PackedScene> widened;
+  std::optional<Series> everything;
+  if (options.with_everything) {
+    widened = packed;
+    widened->features = packed.features.with_everything();
+    everything.emplace(device, *widened);
+  }
   for (int run = 0; run < options.repeats; ++run) {
     own.run();
-    if (options.with_everything) everything.run();
+    if (everything) everything->run();
   }
   std::vector<RenderRow> rows{own.row(name, packing_seconds)};
-  if (options.with_everything) rows.push_back(everything.row(name + ", everything in", packing_seconds));
+  if (everything) rows.push_back(everything->row(name + ", everything in", packing_seconds));
   return rows;
 }
 

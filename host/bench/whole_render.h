@@ -6,8 +6,8 @@
 
 #include "bench/figure.h"
 #include "gpu/device.h"
+#include "render/stages.h"
 #include "scene/scene.h"
-#include "scene/statistics.h"
 
 namespace facet::bench {
 
@@ -20,8 +20,8 @@ struct RenderRow {
   double compile_seconds = 0;  ///< of kernels, by us and by the driver, in the first run
   double startup_seconds = 0;  ///< packing, uploading and compiling, in the first run
   std::uint64_t device_bytes = 0;
-  std::uint64_t kernel_instructions = 0;                  ///< of all kernels, in SPIR-V
-  std::array<double, stage_names.size()> stage_shares{};  ///< of the device's time; all 0 without timestamps
+  std::uint64_t kernel_instructions = 0;  ///< of all kernels, in SPIR-V
+  StageSeconds stage_shares{};            ///< of the device's time; all 0 without timestamps
 };
 
 struct RenderOptions {

@@ -1,19 +1,29 @@
 #pragma once
 // Options about who computes: the kernels on a device, or the reference on the CPU.
+#include <facet/backend.h>
+
 #include <CLI/CLI.hpp>
 #include <string>
 
 namespace facet::cli {
 
+/// What the options say.
+struct BackendChoice {
+  std::string backend = "vulkan";
+  std::string precision;
+  std::string device;
+  bool validate = false;
+
+  [[nodiscard]] bool is_reference() const { return backend == "reference"; }
+  [[nodiscard]] bool in_double() const { return precision == "double"; }
+  /// Throws InputError for options that belong to the other backend.
+  [[nodiscard]] BackendOptions options() const;
+};
+
 /// --device.
 void add_device_option(CLI::App& command, std::string& device);
 
 /// --backend, --precision, --device and --validate.
-void add_backend_options(CLI::App& command, std::string& backend, std::string& precision, std::string& device,
-                         bool& validate);
-
-/// Throws InputError for options that belong to the other backend.
-void check_backend_options(const std::string& backend, const std::string& precision,
-                           const std::string& device, bool validate);
+void add_backend_options(CLI::App& command, BackendChoice& choice);
 
 }  // namespace facet::cli

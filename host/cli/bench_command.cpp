@@ -7,15 +7,14 @@
 #include "bench/mesh.h"
 #include "bench/yardstick.h"
 #include "cli/backend_options.h"
-#include "cli/bench_page.h"
-#include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
-#include "cli/text_file.h"
-#include "cli/warnings.h"
 #include "core/print.h"
+#include "core/text_file.h"
 #include "image/files.h"
+#include "report/bench_page.h"
+#include "report/bench_report.h"
 #include "scene/reader.h"
 
 namespace facet::cli {
@@ -91,8 +90,8 @@ class BenchJob {
       render(name, scenes[i]);
     }
     if (options_.growth && !was_interrupted()) grow();
-    if (!options_.json.empty()) write_text(options_.json, json_report(report_) + '\n');
-    if (!options_.html.empty()) write_bench_page(options_.html, report_);
+    if (!options_.json.empty()) write_text(options_.json, report::json_report(report_) + '\n');
+    if (!options_.html.empty()) report::write_bench_page(options_.html, report_);
     return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
   }
 
@@ -115,7 +114,7 @@ class BenchJob {
     if (scene.triangle_count() == 0) return;
     report_.traversal.push_back(
         bench::measure_traversal(device_, name, std::move(scene), options_.traversal));
-    tell(text_of(report_.traversal.back()));
+    tell(report::text_of(report_.traversal.back()));
   }
 
   void render(const std::string& name, const Scene& scene) {
@@ -124,14 +123,14 @@ class BenchJob {
                                {options_.samples_per_pixel, std::max(1, options_.traversal.repeats / 2),
                                 options_.with_everything})) {
       report_.renders.push_back(row);
-      tell(text_of(row));
+      tell(report::text_of(row));
     }
   }
 
   void grow() {
     report_.growth = bench::measure_growth(device_, {options_.traversal.repeats, options_.quick},
                                            [] { return !was_interrupted(); });
-    for (const bench::GrowthSeries& series : report_.growth) tell(text_of(series));
+    for (const bench::GrowthSeries& series : report_.growth) tell(report::text_of(series));
   }
 
   void tell(const std::string& text) const {
@@ -143,7 +142,7 @@ class BenchJob {
   const BenchOptions& options_;
   gpu::Instance instance_;
   gpu::Device device_;
-  BenchReport report_;
+  report::BenchReport report_;
 };
 
 /// What was asked for by name stays.

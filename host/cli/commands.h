@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "core/error.h"
+#include "cli/exit_code.h"
 
 namespace facet::cli {
 

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/compare_page.h"
-#include "cli/comparison.h"
 #include "cli/outputs.h"
-#include "cli/text_file.h"
 #include "core/print.h"
 #include "core/text.h"
+#include "core/text_file.h"
 #include "image/files.h"
+#include "report/compare_page.h"
+#include "report/compare_report.h"
 
 namespace facet::cli {
 
@@ -25,35 +26,40 @@ std::size_t columns(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+struct CompareCommand {
+  CompareOptions comparison;
+  std::string json;
+  std::string html;
+};
+
 void print_table(const CompareOptions& options, const Comparison& comparison) {
   put("{} against the reference {}, {}x{} pixels\n", options.image, options.reference,
       comparison.image.width(), comparison.image.height());
-  const std::vector<MetricRow> rows = metric_rows(options, comparison);
+  const std::vector<report::MetricRow> rows = report::metric_rows(options, comparison);
   std::size_t width = 0;
-  for (const MetricRow& row : rows) width = std::max(width, columns(row.value));
-  for (const MetricRow& row : rows) {
+  for (const report::MetricRow& row : rows) width = std::max(width, columns(row.value));
+  for (const report::MetricRow& row : rows) {
     put("  {:<16}  {}{}  {}\n", row.name, row.value, std::string(width - columns(row.value), ' '), row.note);
   }
 }
 
-void check_files(const CompareOptions& options) {
-  if (options.html == "-") throw InputError("--html needs a file; standard output carries the figures");
-  check_outputs({}, {options.json, options.html});
-  check_no_input_is_written({options.json, options.html}, {options.image, options.reference});
+void check_files(const CompareCommand& c) {
+  if (c.html == "-") throw InputError("--html needs a file; standard output carries the figures");
+  check_outputs({}, {c.json, c.html});
+  check_no_input_is_written({c.json, c.html}, {c.comparison.image, c.comparison.reference});
 }
 
-ExitCode compare(const CompareOptions& options) {
-  check_files(options);
+ExitCode compare(const CompareCommand& command) {
+  const CompareOptions& options = command.comparison;
+  check_files(command);
   const Comparison comparison = compare_images(options);
-  if (!options.html.empty()) write_compare_page(options.html, options, comparison);
-  if (options.json.empty()) {
-    print_table(options, comparison);
-  } else {
-    const std::string text = comparison_json(options, comparison)
+  if (!command.html.empty()) report::write_compare_page(command.html, options, comparison);
+  if (!command.json.empty()) {
+    const std::string text = report::comparison_json(options, comparison)
                                  .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    write_text(options.json, text + "\n");
-    if (options.json != "-") print_table(options, comparison);
+    write_text(command.json, text + "\n");
   }
+  if (command.json != "-") print_table(options, comparison);
   for (const std::string& warning : comparison.warnings) say("warning: {}\n", warning);
   for (const std::string& violation : comparison.violations) say("facet: {}\n", violation);
   return comparison.violations.empty() ? ExitCode::done : ExitCode::check_failed;
@@ -94,8 +100,8 @@ void add_thresholds(CLI::App& command, CompareOptions& o) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<CompareOptions>();
-  CompareOptions& o = *options;
+  const auto options = std::make_shared<CompareCommand>();
+  CompareOptions& o = options->comparison;
   CLI::App* command = app.add_subcommand("compare", "Measure the error of an image against a reference");
   command->add_option("image", o.image, "Image, .exr or .png")->required();
   command->add_option("reference", o.reference, "Reference image of the same size, .exr or .png")->required();
@@ -115,8 +121,8 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->check(number_between(1, 1000, "a number from 1 to 1000"))
       ->capture_default_str();
   command->add_flag("--trim", o.trim, "--max-relmse bounds the relMSE without the 0.1 % largest pixel terms");
-  command->add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command->add_option("--html", o.html,
+  command->add_option("--json", options->json, "Write a report to this file, - for standard output");
+  command->add_option("--html", options->html,
                       "Write a self-contained page that shows images, differences and the worst pixels");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }

@@ -6,9 +6,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/warnings.h"
+#include "cli/outputs.h"
 #include "core/print.h"
 #include "core/text.h"
+#include "door/warnings.h"
 #include "render/features.h"
 #include "render/packed_scene.h"
 #include "scene/manuals.h"
@@ -78,10 +79,14 @@ ExitCode print_info(const InfoOptions& options) {
   }
   Diagnostics diagnostics(options.strict);
   const Scene scene = read_scene(options.scene, diagnostics);
-  warn_about_scene(scene, diagnostics);
+  const bool has_integrator = !scene.integrator.type.name.empty();
+  RenderRequest request;
+  // Some integrator shows what the scene needs of memory.
+  if (!has_integrator) request.integrator = "path_mis";
+  const RenderSettings settings = resolve(scene, request);
+  if (has_integrator) warn_about_render(scene, settings, diagnostics);
   print_warnings(diagnostics);
-  const PackedScene packed = pack_scene(scene);
-  const Features features = find_features(scene, RenderSettings{});
+  const PackedScene packed = pack_scene(scene, settings);
   const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.bvh.pairs) +
                                bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
                                bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
@@ -90,7 +95,7 @@ ExitCode print_info(const InfoOptions& options) {
                            bytes_of(packed.texels);
   put("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width, scene.camera.height,
       scene.sample_count, name_of(scene.sampler),
-      scene.integrator.type.name.empty() ? "no integrator" : scene.integrator.type.name);
+      has_integrator ? scene.integrator.type.name : "no integrator");
   put("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
       packed.triangle_count());
   for (const Mesh& mesh : scene.meshes) put("  {}\n", describe(mesh, scene));
@@ -108,7 +113,7 @@ ExitCode print_info(const InfoOptions& options) {
           ? 0.0
           : static_cast<double>(geometry) / static_cast<double>(packed.triangle_count()),
       with_unit_prefix(static_cast<double>(rest)));
-  put("compiled for it: {}\n", fmt::join(features.names(), ", "));
+  if (has_integrator) put("compiled for it: {}\n", fmt::join(packed.features.names(), ", "));
   return ExitCode::done;
 }
 

@@ -6,9 +6,9 @@
 #include <csignal>
 #include <string_view>
 
-#include "core/error.h"
+#include "cli/exit_code.h"
+#include "core/atomic_file.h"
 #include "core/sanitized.h"
-#include "image/atomic_file.h"
 
 namespace facet::cli {
 

@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "core/print.h"
 #include "core/text.h"
+#include "gpu/minimum_version.h"
 #include "version.h"
 
 namespace facet::cli {
@@ -89,7 +90,8 @@ double seconds_since_start() {
 
 std::string version_text() {
   return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER,
-                     VK_API_VERSION_MAJOR(FACET_VULKAN), VK_API_VERSION_MINOR(FACET_VULKAN));
+                     VK_API_VERSION_MAJOR(gpu::minimum_vulkan_version),
+                     VK_API_VERSION_MINOR(gpu::minimum_vulkan_version));
 }
 
 }  // namespace facet::cli
@@ -102,14 +104,14 @@ int main(int argc, char** argv) {
   try {
     return facet::cli::run(argc, argv);
   } catch (const facet::Error& error) {
-    return facet::cli::fail(error.what(), error.code());
+    return facet::cli::fail(error.what(), facet::cli::exit_code_of(error.kind()));
   } catch (const std::bad_alloc&) {
-    return facet::cli::fail("out of memory", facet::ExitCode::bad_input);
+    return facet::cli::fail("out of memory", facet::cli::ExitCode::bad_input);
   } catch (const std::exception& error) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
       return facet::cli::fail("cannot start another thread: a limit of processes or of memory is reached",
-                              facet::ExitCode::device_failed);
-    return facet::cli::fail(error.what(), facet::ExitCode::device_failed);
+                              facet::cli::ExitCode::device_failed);
+    return facet::cli::fail(error.what(), facet::cli::ExitCode::device_failed);
   }
 }

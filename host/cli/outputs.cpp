@@ -11,30 +11,15 @@
 
 namespace facet::cli {
 
+void print_warnings(const Diagnostics& diagnostics) {
+  for (const std::string& warning : diagnostics.warnings()) say("warning: {}\n", warning);
+}
+
 namespace {
-
-/// In any case.
-bool has_extension(const std::string& file, const char* extension) {
-  return lower_case(std::filesystem::path(file).extension().string()) == extension;
-}
-
-void check_extension(const std::string& file) {
-  if (!has_extension(file, ".exr") && !has_extension(file, ".png")) {
-    throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png", file));
-  }
-}
 
 /// Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
 std::filesystem::path whole_path(const std::filesystem::path& file) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-}
-
-void write_as_named(const std::string& file, const Image& image, float exposure) {
-  if (is_exr(file)) {
-    write_exr(file, image);
-  } else {
-    write_png(file, image, exposure);
-  }
 }
 
 /// Where the file's folder has gone since the command began, the image goes to the current one. Returns the
@@ -47,14 +32,14 @@ std::string write_image(const std::string& file, const Image& image, float expos
   if (lost && std::filesystem::exists(place, unknown))
     throw InputError(
         fmt::format("{}: cannot write: no such folder any more, and {} is in the current one", file, place));
-  write_as_named(place, image, exposure);
+  facet::write_image(place, image, {.exposure = exposure});
   if (lost) say("warning: {}: no such folder any more; the image is in {}\n", file, place);
   return place;
 }
 
 }  // namespace
 
-bool is_exr(const std::string& file) { return has_extension(file, ".exr"); }
+bool is_exr(const std::string& file) { return output_format(file) == ImageFormat::exr; }
 
 void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
   command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")
@@ -76,7 +61,7 @@ void add_exposure_option(CLI::App& command, float& exposure) {
 void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others) {
   std::set<std::filesystem::path> names;
   std::vector<std::string> all = images;
-  for (const std::string& file : images) check_extension(file);
+  for (const std::string& file : images) (void)output_format(file);
   for (const std::string& file : others) {
     if (!file.empty() && file != "-") all.push_back(file);
   }

@@ -5,9 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
+#include "core/diagnostics.h"
+#include "image/files.h"
 
 namespace facet::cli {
+
+/// To standard error.
+void print_warnings(const Diagnostics& diagnostics);
 
 [[nodiscard]] bool is_exr(const std::string& file);
 

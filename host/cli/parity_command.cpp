@@ -5,20 +5,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/backend_options.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
-#include "cli/metadata.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/render_options.h"
-#include "cli/text_file.h"
-#include "cli/warnings.h"
 #include "core/print.h"
-#include "image/files.h"
-#include "reference/parity.h"
-#include "render/renderer.h"
-#include "scene/reader.h"
+#include "core/text_file.h"
+#include "core/words.h"
+#include "door/warnings.h"
+#include "image/record.h"
+#include "parity/parity.h"
+#include "render/backend.h"
 
 namespace facet::cli {
 
@@ -48,22 +46,21 @@ class ParityJob {
  private:
   void load() {
     Diagnostics diagnostics(options_.strict);
-    scene_ = read_scene(options_.scene, diagnostics, overridden_by(options_));
+    scene_ = std::make_shared<const Scene>(read_scene(options_.scene, diagnostics, overridden_by(options_)));
     check_no_input_is_written({options_.json}, diagnostics.inputs());
-    apply_to_scene(options_, scene_);
-    if (!options_.spp) scene_.sample_count = default_spp;
-    settings_ = make_settings(options_, scene_);
+    RenderRequest request = make_request(options_);
+    if (!request.samples) request.samples = default_spp;
+    settings_ = resolve(*scene_, request);
     settings_.variance = true;
     check_sample_count();
-    warn_about_scene(scene_, diagnostics);
+    warn_about_render(*scene_, settings_, diagnostics);
     print_warnings(diagnostics);
   }
 
   /// A figure is kept of each sample.
   void check_sample_count() const {
-    const Crop& c = settings_.crop;
-    const double samples =
-        static_cast<double>(c.x1 - c.x0) * (c.y1 - c.y0) * (settings_.end_sample - settings_.first_sample);
+    const double samples = static_cast<double>(settings_.crop_width()) * settings_.crop_height() *
+                           (settings_.samples.end - settings_.samples.begin);
     if (samples > most_samples)
       throw InputError(
           fmt::format("parity: {:.2g} samples are more than {:.2g}; use --crop, --resolution or --spp",
@@ -71,52 +68,41 @@ class ParityJob {
   }
 
   void compare() {
-    const gpu::Instance instance(false);
-    gpu::Device device(instance, instance.choose(options_.device));
-    device_ = device.info();
-    reference::Tolerance tolerance;
+    KernelBackend kernels(options_.backend.device, false);
+    device_ = kernels.device().info();
+    parity::Tolerance tolerance;
     // Vulkan allows division 2.5 ulp and square roots about 3, where lavapipe rounds correctly: each
     // perturbation by one ulp then stands for three.
-    if (!device.is_cpu()) tolerance.spread_factor *= 3;
-    Renderer renderer(device, pack_scene(scene_), find_features(scene_, settings_), settings_);
+    if (!kernels.device().is_cpu()) tolerance.spread_factor *= 3;
+    const std::unique_ptr<Rendering> rendering = kernels.start(scene_, settings_);
+    record_ = rendering->film().record;
     Progress progress(options_.quiet, {});
-    report_ = reference::check_parity(
-        scene_, settings_, tolerance, [&](std::uint32_t sample) { return renderer.render_sample(sample); },
-        [&] { return renderer.film(); },
-        [&](double done) {
-          RenderStatistics statistics = renderer.statistics();
-          statistics.render_seconds = seconds_since_start();
-          progress.update(done, statistics);
-          return !was_interrupted();
-        });
+    report_ = parity::check_parity(*scene_, settings_, tolerance, *rendering, [&](double done) {
+      RenderStatistics statistics = rendering->statistics();
+      statistics.render_seconds = seconds_since_start();
+      progress.update(done, statistics);
+      return !was_interrupted();
+    });
     progress.finish();
     failings_ = report_.failings();
-    if (renderer.statistics().bound_hits > 0)
-      failings_.push_back(fmt::format("{} rays were stopped by the safety bound of traversal",
-                                      renderer.statistics().bound_hits));
+    if (const std::uint64_t hits = rendering->statistics().bound_hits; hits > 0)
+      failings_.push_back(fmt::format("{} rays were stopped by the safety bound of traversal", hits));
   }
 
   /// The command that renders one sample again.
-  [[nodiscard]] std::string command_for(const reference::DivergedSample& d) const {
-    std::string command = fmt::format(
-        "facet render --pixel {},{} --sample-range {}:{} --seed {} "
-        "--integrator {} --max-depth {} --sampling {}",
-        d.x, d.y, d.sample, d.sample + 1, settings_.seed, scene_.integrator.type.name,
-        scene_.integrator.max_depth, options_.sampling);
-    if (options_.resolution) command += " --resolution " + *options_.resolution;
-    if (!options_.heuristic.empty()) command += " --heuristic " + options_.heuristic;
-    if (!options_.emitter_selection.empty()) command += " --emitter-selection " + options_.emitter_selection;
-    // A name may begin with a minus.
-    return command + " -- " + shell_word(options_.scene);
+  [[nodiscard]] std::string command_for(const parity::DivergedSample& d) const {
+    RenderRecord sample = record_;
+    sample.samples = SampleRanges(SampleRange{d.sample, d.sample + 1});
+    return rerun_command(sample, settings_.size, d.x, d.y);
   }
 
   [[nodiscard]] std::string json_text() const {
-    const reference::ParityReport& r = report_;
+    const parity::ParityReport& r = report_;
     nlohmann::ordered_json diverged = nlohmann::ordered_json::array();
-    for (const reference::DivergedSample& d : r.diverged) {
+    for (const parity::DivergedSample& d : r.diverged) {
       nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
       for (std::size_t i = 0; i < d.turned.size(); ++i) {
-        const reference::TurnedDecision& t = d.turned[i];
+        const parity::TurnedDecision& t = d.turned[i];
         decisions.push_back({{"kind", reference::decision_name(t.key.kind)},
                              {"where", d.reasons[i]},
                              {"interaction", t.key.ray / 2 + 1},
@@ -133,15 +119,15 @@ class ParityJob {
                           {"decisions", decisions}});
     }
     nlohmann::ordered_json suspects = nlohmann::ordered_json::array();
-    for (const reference::Suspect& s : r.suspects)
+    for (const parity::Suspect& s : r.suspects)
       suspects.push_back(
           {{"part", s.part}, {"score", s.score}, {"failing", s.failing}, {"passing", s.passing}});
     const nlohmann::ordered_json json = {
         {"scene", options_.scene},
         {"device", device_.name},
         {"driver", device_.driver},
-        {"integrator", scene_.integrator.type.name},
-        {"sampling", options_.sampling},
+        {"integrator", record_.integrator},
+        {"sampling", word_of(lobe_sampling_words, record_.sampling)},
         {"complete", !was_interrupted()},
         {"samples", r.samples},
         {"tolerance", {{"relative", r.tolerance.relative}, {"spread_factor", r.tolerance.spread_factor}}},
@@ -173,12 +159,12 @@ class ParityJob {
   }
 
   void print() const {
-    const reference::ParityReport& r = report_;
+    const parity::ParityReport& r = report_;
     const auto share = [](std::uint64_t part, std::uint64_t whole) {
       return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 100.0;
     };
-    put("{}: {}, {} sampling, {} samples on {}\n", options_.scene, scene_.integrator.type.name,
-        options_.sampling, r.samples, device_.name);
+    put("{}: {}, {} sampling, {} samples on {}\n", options_.scene, record_.integrator,
+        word_of(lobe_sampling_words, record_.sampling), r.samples, device_.name);
     put("kernels against reference in float (tolerance {:g} |F| + {:g} s):\n", r.tolerance.relative,
         r.tolerance.spread_factor);
     put("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n", share(r.identical, r.samples),
@@ -200,7 +186,7 @@ class ParityJob {
   }
 
   void print_noise() const {
-    const reference::ParityReport& r = report_;
+    const parity::ParityReport& r = report_;
     if (!r.noise_known) {
       put("  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is unknown\n",
           r.precision_rms, r.largest_precision);
@@ -212,11 +198,11 @@ class ParityJob {
   }
 
   void print_diverged() const {
-    std::vector<reference::DivergedSample> list = report_.diverged;
+    std::vector<parity::DivergedSample> list = report_.diverged;
     std::stable_sort(list.begin(), list.end(),
                      [](const auto& a, const auto& b) { return a.turned.empty() > b.turned.empty(); });
     for (std::size_t i = 0; i < std::min(list.size(), listed_samples); ++i) {
-      const reference::DivergedSample& d = list[i];
+      const parity::DivergedSample& d = list[i];
       put("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x, d.y,
           d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y, d.reference.z);
       if (d.turned.empty()) {
@@ -229,16 +215,17 @@ class ParityJob {
     if (report_.suspects.empty()) return;
     put("what the unexplained samples have in common (1: they all, and no other sample, use it):\n");
     for (std::size_t i = 0; i < std::min(report_.suspects.size(), listed_suspects); ++i) {
-      const reference::Suspect& s = report_.suspects[i];
+      const parity::Suspect& s = report_.suspects[i];
       put("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing, s.passing);
     }
   }
 
   const RenderOptions& options_;
-  Scene scene_;
+  ScenePtr scene_;
   RenderSettings settings_;
+  RenderRecord record_;
   gpu::DeviceInfo device_;
-  reference::ParityReport report_;
+  parity::ParityReport report_;
   std::vector<std::string> failings_;
 };
 
@@ -251,10 +238,8 @@ void add_parity_command(CLI::App& app, Action& action) {
       "Compare the kernels with the CPU reference in two precisions, sample by sample (4 samples a "
       "pixel by default), and explain every difference; exits 1 where one cannot be explained");
   add_scene_options(*command, *options);
-  add_device_option(*command, options->device);
-  command->add_option("--sampling", options->sampling, "How half vectors of rough lobes are sampled")
-      ->check(CLI::IsMember({"ndf", "visible"}))
-      ->capture_default_str();
+  add_device_option(*command, options->backend.device);
+  add_sampling_option(*command, options->request.sampling, false);
   command->callback([options, &action] { action = [options] { return ParityJob(*options).run(); }; });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Progress on standard error: a bar on a terminal, plain lines otherwise.
-#include <chrono>
+#include <facet/request.h>
 
-#include "scene/statistics.h"
+#include <chrono>
 
 namespace facet::cli {
 

@@ -10,8 +10,7 @@
 #include "cli/commands.h"
 #include "core/print.h"
 #include "core/text.h"
-#include "scene/fingerprint.h"
-#include "version.h"
+#include "image/record.h"
 
 namespace facet::cli {
 
@@ -19,10 +18,6 @@ namespace {
 
 double per_second(const RenderStatistics& s, std::uint64_t count) {
   return s.render_seconds > 0 ? static_cast<double>(count) / s.render_seconds : 0;
-}
-
-std::uint32_t samples_per_pixel(const RenderSettings& settings) {
-  return settings.end_sample - settings.first_sample;
 }
 
 std::uint64_t host_peak_bytes() {
@@ -33,50 +28,29 @@ std::uint64_t host_peak_bytes() {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> make_metadata(const RenderOptions& options,
-                                                               const RenderOutcome& o) {
-  return {
-      {"facet.version", FACET_VERSION},
-      {"facet.scene", o.scene.file.filename().string()},
-      {"facet.integrator", std::string(o.scene.integrator.type.name)},
-      {"facet.sampler", std::string(name_of(o.scene.sampler))},
-      {"facet.sampling", options.sampling},
-      {"facet.samples", fmt::format("{}:{}", o.settings.first_sample, o.settings.end_sample)},
-      {"facet.spp", fmt::format("{}", samples_per_pixel(o.settings))},
-      {"facet.seed", fmt::format("{}", o.settings.seed)},
-      {"facet.maxDepth", fmt::format("{}", o.scene.integrator.interaction_limit())},
-      {"facet.heuristic", o.scene.integrator.heuristic == Heuristic::power ? "power" : "balance"},
-      {"facet.emitterSelection", o.scene.emitter_selection == EmitterSelection::power ? "power" : "uniform"},
-      {"facet.filter", describe(o.scene.camera.filter)},
-      {"facet.fingerprint", fmt::format("{:016x}", fingerprint(o.scene))},
-      {"facet.backend", options.backend},
-      {"facet.precision", options.precision.empty() ? "float" : options.precision},
-      {"facet.device", o.device},
-      {"facet.driver", o.driver},
-      {"facet.seconds", fmt::format("{:.3f}", o.statistics.render_seconds)},
-      {"facet.complete", o.interrupted ? "no: interrupted" : "yes"},
-  };
+nlohmann::ordered_json json_of(const RenderRecord& record) {
+  nlohmann::ordered_json json;
+  for (const RecordField& field : record_fields()) {
+    const auto text = field.json != nullptr ? field.read(record) : std::nullopt;
+    if (!text || std::string_view(field.json) == "scene") continue;
+    json[field.json] = field.numeric ? nlohmann::ordered_json::parse(*text) : nlohmann::ordered_json(*text);
+  }
+  return json;
 }
 
-std::string make_json_report(const RenderOptions& options, const RenderOutcome& o) {
+std::string make_json_report(const RenderOutcome& o) {
   const RenderStatistics& s = o.statistics;
-  nlohmann::ordered_json json = {
-      {"scene", options.scene},
-      {"device", o.device},
-      {"driver", o.driver},
-      {"backend", options.backend},
-      {"integrator", o.scene.integrator.type.name},
-      {"sampler", name_of(o.scene.sampler)},
+  nlohmann::ordered_json json = {{"scene", o.scene}};
+  json.update(json_of(o.record));
+  json.update({
       {"width", o.image.width()},
       {"height", o.image.height()},
-      {"spp", samples_per_pixel(o.settings)},
-      {"seed", o.settings.seed},
-      {"triangles", o.scene.triangle_count()},
-      {"emitters", o.scene.emitters.size()},
-      {"features", o.features},
+      {"triangles", o.triangles},
+      {"emitters", o.emitters},
+      {"features", s.features},
       {"seconds",
        {{"load", o.load_seconds},
-        {"bvh", o.bvh_seconds},
+        {"bvh", s.bvh_seconds},
         {"compile", s.compile_seconds},
         {"render", s.render_seconds},
         {"write", o.write_seconds},
@@ -90,17 +64,16 @@ std::string make_json_report(const RenderOptions& options, const RenderOutcome& 
       {"bound_hits", s.bound_hits},
       {"memory", {{"device_bytes", s.device_bytes}, {"host_peak_bytes", host_peak_bytes()}}},
       {"output", o.files},
-  };
-  if (options.pixel) json["pixel"] = {o.image.at(0, 0, 0), o.image.at(0, 0, 1), o.image.at(0, 0, 2)};
+  });
+  if (o.is_pixel) json["pixel"] = {o.image.at(0, 0, 0), o.image.at(0, 0, 1), o.image.at(0, 0, 2)};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void print_summary(const RenderOptions& options, const RenderOutcome& o) {
+void print_summary(const RenderOutcome& o) {
   const RenderStatistics& s = o.statistics;
-  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", options.scene, o.scene.integrator.type.name,
-      o.scene.triangle_count(), o.image.width(), o.image.height(), samples_per_pixel(o.settings),
-      o.interrupted ? " (interrupted)" : "");
-  say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.device,
+  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", o.scene, o.record.integrator, o.triangles,
+      o.image.width(), o.image.height(), o.record.samples.count(), o.interrupted ? " (interrupted)" : "");
+  say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.record.device,
       with_unit_prefix(per_second(s, s.samples)) + " ",
       with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());
   if (!o.files.empty()) say("wrote {}\n", fmt::join(o.files, " and "));

@@ -8,10 +8,9 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
-namespace facet::gpu {
+#include "gpu/minimum_version.h"
 
-/// The oldest Vulkan version that facet runs on.
-inline constexpr std::uint32_t minimum_vulkan_version = VK_API_VERSION_1_1;
+namespace facet::gpu {
 
 /// One device as `facet devices` lists it.
 struct DeviceInfo {

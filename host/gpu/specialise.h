@@ -14,7 +14,7 @@ namespace facet::gpu {
 /// is for that message.
 ///
 /// Conditions are followed within functions, through values but not through variables:
-/// cmake/embed_kernels.cpp turns the ones into the others where it can.
+/// cmake/generators/embed_kernels.cpp turns the ones into the others where it can.
 [[nodiscard]] std::vector<std::uint32_t> specialise(std::span<const std::uint32_t> code,
                                                     std::span<const std::uint32_t> constants,
                                                     const std::string& name);

@@ -45,7 +45,7 @@ std::array<int, 3> color_channels(const Image& image, const std::filesystem::pat
 
 ColorImage color_image(const Image& image, const std::filesystem::path& path) {
   const std::array<int, 3> channels = color_channels(image, path);
-  const Image::Window& window = image.window;
+  const ImageWindow& window = image.window;
   ColorImage result{window.full_width, window.full_height, {}};
   const auto width = static_cast<std::size_t>(result.width);
   result.pixels.resize(width * static_cast<std::size_t>(result.height), Color(0));

@@ -1,10 +1,11 @@
 #pragma once
 // The colours of an image whose channels have the names of some program.
+#include <facet/film.h>
+
 #include <filesystem>
 #include <vector>
 
 #include "core/maths.h"
-#include "image/image.h"
 
 namespace facet {
 

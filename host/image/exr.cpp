@@ -11,10 +11,10 @@
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/input_file.h"
 #include "core/parallel.h"
-#include "image/atomic_file.h"
 #include "image/files.h"
 
 namespace facet {

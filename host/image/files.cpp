@@ -9,9 +9,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/input_file.h"
-#include "image/atomic_file.h"
 
 namespace facet {
 
@@ -32,6 +32,14 @@ Image decode(const CodedImage& coded) {
 }
 
 }  // namespace
+
+ImageFormat output_format(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".exr") return ImageFormat::exr;
+  if (extension == ".png") return ImageFormat::png;
+  throw InputError(
+      fmt::format("{}: the format follows the extension, which must be .exr or .png", path.string()));
+}
 
 ImageFormat image_format(const std::filesystem::path& path) {
   check_input_file(path);

@@ -1,16 +1,19 @@
 #pragma once
 // Image files. Writers write to a temporary name beside the target and rename it: a failed write never
 // destroys the file that was there.
+#include <facet/images.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
-
-#include "image/image.h"
 
 namespace facet {
 
 /// What is read. A file's first bytes tell, whatever its name says.
 enum class ImageFormat { exr, png, jpeg, hdr };
+
+/// Of a file to write, by its extension in any case: EXR or PNG. Throws InputError for any other.
+[[nodiscard]] ImageFormat output_format(const std::filesystem::path& path);
 
 /// Throws InputError where the file is missing or of another kind, which it names.
 [[nodiscard]] ImageFormat image_format(const std::filesystem::path& path);
@@ -43,14 +46,11 @@ struct CodedImage {
 /// Linear values of the 256 codes of a byte.
 [[nodiscard]] const std::array<float, 256>& srgb_values();
 
-/// Reads an image of any format; codes are decoded from sRGB.
-[[nodiscard]] Image read_image(const std::filesystem::path& path);
-
 /// What stands in the header of an EXR.
 struct ExrHeader {
   int width = 0;
   int height = 0;
-  Image::Window window;
+  ImageWindow window;
   std::vector<std::string> channels;
   std::vector<std::pair<std::string, std::string>> metadata;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/record.h"
+
 namespace facet {
 
 void PixelSums::add(const std::array<double, 3>& value) {
@@ -16,8 +18,14 @@ void PixelSums::add(const std::array<double, 3>& value) {
   if (any) ++nonzero;
 }
 
-Film make_film(int width, int height, const Image::Window& window, bool with_squares) {
-  Film film{width, height, window, with_squares, {}};
+std::array<double, 3> PixelSums::mean() const {
+  std::array<double, 3> result{};
+  for (std::size_t c = 0; c < 3; ++c) result[c] = samples > 0 ? values[c] / samples : 0;
+  return result;
+}
+
+Film make_film(int width, int height, const ImageWindow& window, bool with_squares) {
+  Film film{width, height, window, with_squares, {}, {}};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
 }
@@ -36,13 +44,16 @@ Image develop(const Film& film, bool with_variance) {
   }
   Image image(film.width, film.height, channels);
   image.window = film.window;
+  // A film that no renderer has made has nothing to tell.
+  if (!film.record.version.empty()) image.metadata = header_of(film.record);
   auto pixel = film.pixels.begin();
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x, ++pixel) {
       const double n = pixel->samples;
+      const std::array<double, 3> mean = pixel->mean();
       for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
-        image.at(x, y, c) = static_cast<float>(n > 0 ? pixel->values[k] / n : 0.0);
+        image.at(x, y, c) = static_cast<float>(mean[k]);
         if (with_variance)
           image.at(x, y, 3 + c) =
               static_cast<float>(variance_of_mean(pixel->values[k], pixel->squares[k], n));

@@ -1,4 +1,4 @@
-#include "image/image.h"
+#include <facet/film.h>
 
 #include <algorithm>
 

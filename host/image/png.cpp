@@ -9,8 +9,8 @@
 #include <cstring>
 #include <new>
 
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "image/atomic_file.h"
 #include "image/coded_reader.h"
 #include "image/files.h"
 

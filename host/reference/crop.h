@@ -3,15 +3,13 @@
 #include "image/film.h"
 #include "reference/random.h"
 #include "reference/real.h"
-#include "scene/scene.h"
 #include "scene/settings.h"
 
 namespace facet::reference {
 
 /// A film with squares for the crop.
-[[nodiscard]] inline Film blank_film(const Scene& scene, const RenderSettings& settings) {
-  const Crop& c = settings.crop;
-  return make_film(c.x1 - c.x0, c.y1 - c.y0, {c.x0, c.y0, scene.camera.width, scene.camera.height}, true);
+[[nodiscard]] inline Film blank_film(const RenderSettings& settings) {
+  return make_film(settings.crop_width(), settings.crop_height(), settings.window(), true);
 }
 
 /// A sample of the crop's pixel i, counted row by row.
@@ -20,11 +18,11 @@ struct CropSample {
   int y = 0;
   SampleId id;
 
-  CropSample(const Scene& scene, const RenderSettings& settings, std::size_t i, std::uint32_t sample) {
-    const auto width = static_cast<std::size_t>(settings.crop.x1 - settings.crop.x0);
+  CropSample(const RenderSettings& settings, std::size_t i, std::uint32_t sample) {
+    const auto width = static_cast<std::size_t>(settings.crop_width());
     x = settings.crop.x0 + static_cast<int>(i % width);
     y = settings.crop.y0 + static_cast<int>(i / width);
-    id = {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, settings.seed, scene.sampler};
+    id = {static_cast<std::uint32_t>(y * settings.size.width + x), sample, settings.seed, settings.sampler};
   }
 };
 

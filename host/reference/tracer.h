@@ -17,7 +17,7 @@ template <typename Real, typename Probe>
 class Tracer {
  public:
   Tracer(const World<Real>& world, const SampleId& id, Probe& probe)
-      : world_(world), integrator_(world.scene.integrator), id_(id), probe_(probe) {}
+      : world_(world), integrator_(world.integrator), id_(id), probe_(probe) {}
 
   /// Radiance in W sr^-1 m^-2 (or what the integrator shows) along the sample's ray through pixel (x, y).
   [[nodiscard]] Vec3<Real> radiance(int x, int y) {

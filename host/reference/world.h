@@ -9,6 +9,7 @@
 #include "reference/emitter/area.h"
 #include "reference/emitter/environment.h"
 #include "reference/emitter/point.h"
+#include "scene/settings.h"
 
 namespace facet::reference {
 
@@ -16,8 +17,13 @@ namespace facet::reference {
 template <typename Real>
 class World {
  public:
-  World(const Scene& parsed, LobeSampling lobes)
-      : scene(parsed), geometry(parsed), camera(parsed.camera), lobes_(lobes) {
+  World(const Scene& parsed, const RenderSettings& settings)
+      : scene(parsed),
+        integrator(settings.integrator),
+        geometry(parsed),
+        camera(camera_of(parsed, settings)),
+        bsdfs_(bsdfs_of(parsed, settings)),
+        lobes_(settings.sampling) {
     std::vector<double> weights;
     double total = 0;
     for (const Emitter& emitter : parsed.emitters) {
@@ -27,7 +33,7 @@ class World {
     const auto shining = static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     for (double& w : weights) {
       if (!(w > 0)) continue;
-      w = (parsed.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
+      w = (settings.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
     }
     choice_ = Choice(weights);
   }
@@ -36,7 +42,7 @@ class World {
   template <typename Probe>
   [[nodiscard]] AnyBsdf<Real> bsdf_of(const Surface<Real>& s, Probe& probe) const {
     Parameters<Real, Probe> at(scene.textures, s.uv, probe);
-    return {scene.bsdfs[scene.meshes[s.mesh].bsdf], at, lobes_};
+    return {bsdfs_[scene.meshes[s.mesh].bsdf], at, lobes_};
   }
 
   /// A direction from a surface towards some emitter; the density includes the choice of the emitter.
@@ -83,6 +89,7 @@ class World {
   }
 
   const Scene& scene;
+  Integrator integrator;
   Geometry<Real> geometry;
   PerspectiveCamera<Real> camera;
 
@@ -102,6 +109,7 @@ class World {
     return std::visit([&](const auto& light) { return light.power(geometry.bounds); }, lights_.back());
   }
 
+  std::vector<Bsdf> bsdfs_;
   LobeSampling lobes_;
   std::deque<Light> lights_;  ///< by emitter
   std::uint32_t environment_ = none;

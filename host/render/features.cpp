@@ -36,7 +36,7 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
 
 Features find_features(const Scene& scene, const RenderSettings& settings) {
   Features f;
-  add_bsdfs(f, scene.bsdfs);
+  add_bsdfs(f, bsdfs_of(scene, settings));
   for (const Texture& texture : scene.textures) {
     f.texture_kinds |= 1U << texture.index();
     const auto* bitmap = std::get_if<BitmapTexture>(&texture);
@@ -45,9 +45,9 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
   f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });
-  f.integrator = scene.integrator;
-  f.sampler = scene.sampler;
-  const int limit = scene.integrator.interaction_limit();
+  f.integrator = settings.integrator;
+  f.sampler = settings.sampler;
+  const int limit = settings.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
   f.negative_filter = ends_negative(scene.camera.filter);

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
 #include "scene/settings.h"
 #include "shared/bindings.h"
 

@@ -29,7 +29,7 @@ TriangleCorners corners_of(const Mesh& mesh, std::size_t i) {
 
 class Packer {
  public:
-  explicit Packer(const Scene& scene) : scene_(scene) {}
+  Packer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
 
   PackedScene pack() {
     gather_triangles();
@@ -38,7 +38,7 @@ class Packer {
     packed_.bvh_seconds = seconds_since(start);
     name_triangles();
     pack_meshes();
-    for (const Bsdf& bsdf : scene_.bsdfs) packed_.bsdfs.push_back(pack_bsdf(bsdf));
+    for (const Bsdf& bsdf : bsdfs_of(scene_, settings_)) packed_.bsdfs.push_back(pack_bsdf(bsdf));
     const TextureTable textures = make_texture_table(scene_.textures);
     packed_.textures = textures.records;
     packed_.texels = textures.texels;
@@ -46,7 +46,7 @@ class Packer {
     pack_emitters();
     choose_square_scale();
     packed_.filter = make_filter_table(scene_.camera.filter);
-    pack_camera();
+    pack_frame();
     return std::move(packed_);
   }
 
@@ -176,7 +176,7 @@ class Packer {
       total += power;
       if (power > 0) ++positive;
     }
-    const bool by_power = scene_.emitter_selection == EmitterSelection::power;
+    const bool by_power = settings_.emitter_selection == EmitterSelection::power;
     for (double& weight : weights) {
       if (weight > 0) weight = (by_power ? weight / total : 0) + 1 / positive;
     }
@@ -221,8 +221,8 @@ class Packer {
         brightest > 0 ? std::ldexp(1.0F, -std::clamp(std::ilogb(brightest), -100, 100)) : 1.0F;
   }
 
-  void pack_camera() {
-    const Camera& c = scene_.camera;
+  void pack_frame() {
+    const Camera c = camera_of(scene_, settings_);
     const glm::dmat3 linear(c.to_world);
     const double tangent = std::tan(glm::radians(c.fov) / 2);
     const double aspect = static_cast<double>(c.width) / c.height;
@@ -233,15 +233,23 @@ class Packer {
     f.camera_dy = glm::vec4(vec3(linear[1] * (-2 * tangent / aspect / c.height)), 0);
     f.width = static_cast<std::uint32_t>(c.width);
     f.height = static_cast<std::uint32_t>(c.height);
+    f.crop_x = static_cast<std::uint32_t>(settings_.crop.x0);
+    f.crop_y = static_cast<std::uint32_t>(settings_.crop.y0);
+    f.crop_width = static_cast<std::uint32_t>(settings_.crop_width());
+    f.crop_height = static_cast<std::uint32_t>(settings_.crop_height());
+    f.seed = settings_.seed;
+    const int limit = settings_.integrator.interaction_limit();
+    f.max_depth = limit < 0 ? shared::NONE : static_cast<std::uint32_t>(limit);
     f.filter_intervals = packed_.filter.intervals();
     f.filter_crossing = packed_.filter.crossing;
     f.filter_scale = packed_.filter.scale;
     constexpr double four_pi2 = 4 * std::numbers::pi * std::numbers::pi;
-    f.simple_position = glm::vec4(scene_.integrator.position, 0);
-    f.simple_energy = glm::vec4(vec3(dvec3(scene_.integrator.energy) / four_pi2), 0);
+    f.simple_position = glm::vec4(settings_.integrator.position, 0);
+    f.simple_energy = glm::vec4(vec3(dvec3(settings_.integrator.energy) / four_pi2), 0);
   }
 
   const Scene& scene_;
+  const RenderSettings& settings_;
   PackedScene packed_;
   std::vector<SourceTriangle> sources_;
   std::vector<std::size_t> first_source_;  ///< of each mesh, and the end
@@ -251,6 +259,11 @@ class Packer {
 
 }  // namespace
 
-PackedScene pack_scene(const Scene& scene) { return Packer(scene).pack(); }
+PackedScene pack_scene(const Scene& scene, const RenderSettings& settings) {
+  PackedScene packed = Packer(scene, settings).pack();
+  packed.settings = settings;
+  packed.features = find_features(scene, settings);
+  return packed;
+}
 
 }  // namespace facet

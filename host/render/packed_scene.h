@@ -4,12 +4,15 @@
 
 #include "accel/bvh.h"
 #include "render/environment_table.h"
+#include "render/features.h"
 #include "render/filter_table.h"
-#include "scene/scene.h"
+#include "scene/settings.h"
 
 namespace facet {
 
 struct PackedScene {
+  RenderSettings settings;                   ///< for which it is packed
+  Features features;                         ///< to which the kernels are specialised
   Bvh bvh;                                   ///< triangles without area are left out
   std::vector<glm::uvec4> normal_indices;    ///< a triangle's by MeshRecord::attributes; x = none: without
   std::vector<glm::vec4> normals;            ///< xyz
@@ -24,7 +27,7 @@ struct PackedScene {
   std::vector<shared::EmitterTriangle> emitter_triangles;
   EnvironmentTable environment;
   FilterTable filter;
-  shared::FrameRecord frame{};  ///< camera and emitters; crop, seed and depth are the renderer's
+  shared::FrameRecord frame{};
   double bvh_seconds = 0;
 
   [[nodiscard]] std::size_t triangle_count() const { return bvh.places.size(); }
@@ -41,6 +44,6 @@ std::size_t bytes_of(const Records& records) {
   return records.size() * sizeof(typename Records::value_type);
 }
 
-[[nodiscard]] PackedScene pack_scene(const Scene& scene);
+[[nodiscard]] PackedScene pack_scene(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace facet

@@ -32,21 +32,20 @@ struct Renderer::Wave {
   shared::PassConstants constants{};
 };
 
-Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
-                   const RenderSettings& settings)
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
     : device_(device),
-      settings_(settings),
-      features_(features),
-      square_scale_(packed.frame.square_scale),
-      window_{settings.crop.x0, settings.crop.y0, static_cast<int>(packed.frame.width),
-              static_cast<int>(packed.frame.height)} {
+      settings_(packed.settings),
+      features_(packed.features),
+      square_scale_(packed.frame.square_scale) {
   const auto start = std::chrono::steady_clock::now();
-  resources_ = std::make_unique<Resources>(device, packed, features, settings);
+  resources_ = std::make_unique<Resources>(device, packed);
   // The drivers' share happens here, outside the timed render.
   resources_->compile_kernels();
   statistics_.compile_seconds = seconds_since(start);
   statistics_.kernel_instructions = resources_->instruction_count();
   statistics_.device_bytes = device.reserved_bytes();
+  statistics_.bvh_seconds = packed.bvh_seconds;
+  statistics_.features = features_.names();
 }
 
 Renderer::~Renderer() = default;
@@ -85,7 +84,7 @@ void Renderer::run_wave(const Wave& wave) {
         r.record_bounce(c, constants);
       }
     });
-    r.read_clock(statistics_.stage_seconds);
+    r.read_clock(stage_seconds_);
     more = bounce != limit && r.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
   }
   device_.run([&](const vk::raii::CommandBuffer& c) {
@@ -93,7 +92,7 @@ void Renderer::run_wave(const Wave& wave) {
     r.start_clock(c);
     r.record_film(c, constants);
   });
-  r.read_clock(statistics_.stage_seconds);
+  r.read_clock(stage_seconds_);
   const auto counters = r.read_counters();
   statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
   statistics_.any_rays += counters[shared::COUNTER_ANY_RAYS];
@@ -106,20 +105,21 @@ void Renderer::render(const ProgressCallback& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Resources& r = *resources_;
   const std::uint64_t total =
-      std::uint64_t{r.pixel_count()} * (settings_.end_sample - settings_.first_sample);
+      std::uint64_t{r.pixel_count()} * (settings_.samples.end - settings_.samples.begin);
   std::uint32_t batch = 1;
-  for (std::uint32_t sample = settings_.first_sample; sample < settings_.end_sample;) {
+  for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
     // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as there are
     // slots.
-    const std::uint32_t done = sample - settings_.first_sample;
-    batch = std::min(std::max(done, 1U), settings_.end_sample - sample);
+    const std::uint32_t done = sample - settings_.samples.begin;
+    batch = std::min(std::max(done, 1U), settings_.samples.end - sample);
     for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
       for (const auto& [first, count] : r.pixel_ranges(piece)) {
         const std::uint32_t per_wave = std::max(1U, r.slot_count() / count);
         for (std::uint32_t k = 0; k < batch; k += per_wave) {
           run_wave(make_wave(piece, first, count, sample + k, std::min(per_wave, batch - k)));
           statistics_.render_seconds = seconds_since(start);
-          if (!progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_))
+          if (progress &&
+              !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_))
             return;
         }
       }
@@ -128,16 +128,17 @@ void Renderer::render(const ProgressCallback& progress) {
   }
 }
 
-std::vector<vec3> Renderer::render_sample(std::uint32_t sample) {
+std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
   const Resources& r = *resources_;
-  std::vector<vec3> radiances;
+  std::vector<Radiance> radiances;
   for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
     for (const auto& [first, count] : r.pixel_ranges(piece)) {
       Wave wave = make_wave(piece, first, count, sample, 1);
       // Not permuted: slots in the order of the pixels.
       wave.constants.stride = 1;
       run_wave(wave);
-      for (const shared::PathRecord& path : r.read_paths(count)) radiances.emplace_back(path.radiance);
+      for (const shared::PathRecord& path : r.read_paths(count))
+        radiances.push_back({path.radiance.x, path.radiance.y, path.radiance.z});
     }
   }
   return radiances;
@@ -145,8 +146,8 @@ std::vector<vec3> Renderer::render_sample(std::uint32_t sample) {
 
 Film Renderer::film() const {
   const auto [sums, squares] = resources_->read_film();
-  const Crop& crop = settings_.crop;
-  Film film = make_film(crop.x1 - crop.x0, crop.y1 - crop.y0, window_, !squares.empty());
+  Film film =
+      make_film(settings_.crop_width(), settings_.crop_height(), settings_.window(), !squares.empty());
   // The squares are those of scaled values.
   const double unscale = 1 / (static_cast<double>(square_scale_) * square_scale_);
   for (std::size_t i = 0; i < sums.size(); ++i) {

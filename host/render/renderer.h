@@ -1,12 +1,13 @@
 #pragma once
 // Renders a scene on a device: wavefront path tracing in bounded passes.
+#include <facet/backend.h>
+
 #include <memory>
 
 #include "gpu/device.h"
 #include "image/film.h"
-#include "render/features.h"
 #include "render/packed_scene.h"
-#include "scene/statistics.h"
+#include "render/stages.h"
 
 namespace facet {
 
@@ -14,8 +15,7 @@ namespace facet {
 class Renderer {
  public:
   /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
-  Renderer(gpu::Device& device, const PackedScene& packed, const Features& features,
-           const RenderSettings& settings);
+  Renderer(gpu::Device& device, const PackedScene& packed);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -24,12 +24,14 @@ class Renderer {
   void render(const ProgressCallback& progress);
 
   [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
-  /// The film so far.
+  /// Seconds of each stage, where the settings ask for them.
+  [[nodiscard]] const StageSeconds& stage_seconds() const { return stage_seconds_; }
+  /// The film so far; its record is empty.
   [[nodiscard]] Film film() const;
 
   /// Renders one more sample of every pixel of the crop; returns their radiances (W sr^-1 m^-2) before the
   /// filter's weight, row by row.
-  [[nodiscard]] std::vector<vec3> render_sample(std::uint32_t sample);
+  [[nodiscard]] std::vector<Radiance> render_sample(std::uint32_t sample);
 
   /// The camera's rays of sample 0, one a pixel of the crop, as many as there are paths in flight; for
   /// benchmarks and tests.
@@ -47,8 +49,8 @@ class Renderer {
   RenderSettings settings_;
   Features features_;
   float square_scale_;
-  Image::Window window_;
   RenderStatistics statistics_;
+  StageSeconds stage_seconds_{};
   std::unique_ptr<Resources> resources_;
 };
 

@@ -23,7 +23,8 @@ std::uint32_t workgroups(std::uint32_t invocations) {
   return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
 }
 
-std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint64_t paths) {
+std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint32_t pixels) {
+  const std::uint64_t paths = std::uint64_t{pixels} * (settings.samples.end - settings.samples.begin);
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
   // The largest record of a path must be bindable.
@@ -32,22 +33,9 @@ std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& sett
   return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most_slots, bindable}));
 }
 
-std::uint32_t crop_pixels(const Crop& crop) {
-  return static_cast<std::uint32_t>(crop.x1 - crop.x0) * static_cast<std::uint32_t>(crop.y1 - crop.y0);
-}
-
-/// The frame with what the settings say.
-shared::FrameRecord complete_frame(const PackedScene& packed, const Features& features,
-                                   const RenderSettings& settings) {
-  shared::FrameRecord frame = packed.frame;
-  frame.crop_x = static_cast<std::uint32_t>(settings.crop.x0);
-  frame.crop_y = static_cast<std::uint32_t>(settings.crop.y0);
-  frame.crop_width = static_cast<std::uint32_t>(settings.crop.x1 - settings.crop.x0);
-  frame.crop_height = static_cast<std::uint32_t>(settings.crop.y1 - settings.crop.y0);
-  frame.seed = settings.seed;
-  const int limit = features.integrator.interaction_limit();
-  frame.max_depth = limit < 0 ? shared::NONE : static_cast<std::uint32_t>(limit);
-  return frame;
+std::uint32_t crop_pixels(const RenderSettings& settings) {
+  return static_cast<std::uint32_t>(settings.crop_width()) *
+         static_cast<std::uint32_t>(settings.crop_height());
 }
 
 /// The filter's intervals, offset and |filter| at both ends of each.
@@ -96,19 +84,17 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 
 }  // namespace
 
-Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
-                               const RenderSettings& settings)
+Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed)
     : device_(device),
-      rounds_(features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size()) : 1),
-      variance_(features.variance),
-      pixel_count_(crop_pixels(settings.crop)),
-      slot_count_(choose_slots(device, settings,
-                               std::uint64_t{pixel_count_} * (settings.end_sample - settings.first_sample))),
-      geometry_(device, packed, settings.force_storage_buffers),
+      rounds_(packed.features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size())
+                                                            : 1),
+      variance_(packed.features.variance),
+      pixel_count_(crop_pixels(packed.settings)),
+      slot_count_(choose_slots(device, packed.settings, pixel_count_)),
+      geometry_(device, packed, packed.settings.force_storage_buffers),
       layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
       scene_(make_scene_buffers(device, packed, geometry_.fetch())),
-      frame_(make_record_buffer(device, std::vector{complete_frame(packed, features, settings)}, "the frame",
-                                Usage::eUniformBuffer)),
+      frame_(make_record_buffer(device, std::vector{packed.frame}, "the frame", Usage::eUniformBuffer)),
       rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
       // Hits stay in registers but between the rounds of a bounce.
       hits_(make_state(device, rounds_ > 1 ? slot_count_ : 0, sizeof(shared::HitRecord))),
@@ -116,10 +102,10 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed, c
       queues_(make_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
       counters_(device, shared::COUNTER_WORDS * sizeof(std::uint32_t),
                 Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters"),
-      kernels_(device, layout_, features, packed.bvh.stack_size, geometry_.fetch()) {
+      kernels_(device, layout_, packed.features, packed.bvh.stack_size, geometry_.fetch()) {
   make_film();
   bind_everything();
-  if (settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
+  if (packed.settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
 }
 
 void Renderer::Resources::make_film() {

@@ -32,8 +32,7 @@ struct FilmRecords {
 
 struct Renderer::Resources {
  public:
-  Resources(gpu::Device& device, const PackedScene& packed, const Features& features,
-            const RenderSettings& settings);
+  Resources(gpu::Device& device, const PackedScene& packed);
 
   /// To be called before any use of the kernels, which includes the drivers' compiling at a first dispatch.
   void compile_kernels();

@@ -118,8 +118,6 @@ class Hash {
   void add(const BoxFilter&) {}
   void add(const Camera& camera) {
     const auto& [width, height, to_world, fov, near_clip, far_clip, filter] = camera;
-    add(width);
-    add(height);
     add(to_world);
     add(fov);
     add(near_clip);
@@ -128,9 +126,6 @@ class Hash {
   }
   void add(const Integrator& integrator) {
     const auto& [type, max_depth, heuristic, position, energy] = integrator;
-    add(type.name);
-    add(integrator.interaction_limit());
-    add(static_cast<int>(heuristic));
     add(position);
     add(energy);
   }
@@ -150,8 +145,8 @@ class Hash {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, sampler,
-               emitter_selection] = scene;
+  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, sampler] =
+      scene;
   Hash hash;
   hash.add(meshes);
   hash.add(bsdfs);
@@ -159,8 +154,6 @@ std::uint64_t fingerprint(const Scene& scene) {
   hash.add(textures);
   hash.add(camera);
   hash.add(integrator);
-  hash.add(static_cast<int>(sampler));
-  hash.add(static_cast<int>(emitter_selection));
   return hash.value();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // Which quantity is estimated, and how.
+#include <facet/request.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -24,8 +26,6 @@ struct IntegratorType {
 [[nodiscard]] const std::vector<IntegratorType>& integrator_types();
 /// Nothing for an unknown name.
 [[nodiscard]] std::optional<IntegratorType> find_integrator_type(std::string_view name);
-
-enum class Heuristic { balance, power };
 
 struct Integrator {
   IntegratorType type{};

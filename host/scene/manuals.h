@@ -1,5 +1,6 @@
 #pragma once
-// The plugins' manuals, which the build takes from the heads of their files (cmake/make_manuals.cpp).
+// The plugins' manuals, which the build takes from the heads of their files
+// (cmake/generators/make_manuals.cpp).
 #include <span>
 #include <string>
 #include <string_view>

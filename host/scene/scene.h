@@ -1,5 +1,7 @@
 #pragma once
 // A scene as plain typed data, as the files say it: no defaults left to fill in, no packing for any renderer.
+#include <facet/film.h>
+
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -9,7 +11,6 @@
 
 #include "core/error.h"
 #include "core/maths.h"
-#include "image/image.h"
 #include "scene/bsdf/bsdf.h"
 #include "scene/camera.h"
 #include "scene/integrator.h"
@@ -61,9 +62,6 @@ struct EnvironmentEmitter {
 /// Any emitter; the alternative's index is the id of the shared list.
 using Emitter = std::variant<AreaEmitter, EnvironmentEmitter, PointLight>;
 
-/// How the emitter of a light sample is chosen.
-enum class EmitterSelection { uniform, power };
-
 struct Scene {
   std::filesystem::path file;
   std::vector<Mesh> meshes;
@@ -75,7 +73,6 @@ struct Scene {
   int sample_count = 1;
   std::uint32_t seed = 0;
   Sampler sampler = Sampler::independent;
-  EmitterSelection emitter_selection = EmitterSelection::power;
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box bounds() const;

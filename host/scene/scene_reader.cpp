@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "core/text.h"
+#include "core/words.h"
 #include "scene/emitter/readers.h"
 #include "scene/mesh/mtl.h"
 #include "scene/plugins.h"
@@ -10,6 +11,11 @@
 #include "scene/texture/reader.h"
 
 namespace facet {
+
+Scene SceneReader::read(const pugi::xml_node& node, std::vector<Mesh> memory_meshes) && {
+  memory_meshes_ = std::move(memory_meshes);
+  return std::move(*this).read(node);
+}
 
 Scene SceneReader::read(const pugi::xml_node& node) && {
   PropertyReader properties(xml_, node);
@@ -111,35 +117,36 @@ void SceneReader::read_integrator(PropertyReader& scene) {
   if (scene_.integrator.needs_emitters()) {
     scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
     scene_.integrator.heuristic =
-        p.choice("heuristic", {"balance", "power"}) == "power" ? Heuristic::power : Heuristic::balance;
+        value_of(heuristic_words, p.choice("heuristic", names_of(heuristic_words))).value();
   }
   p.finish(diagnostics_);
 }
 
-void SceneReader::read_mesh(const pugi::xml_node& node) {
-  PropertyReader p = open(node);
+SceneReader::Surfaces SceneReader::read_surfaces(PropertyReader& p) {
+  const auto bsdf = p.only_child("bsdf");
+  if (p.type() == "memory" && used_memory_meshes_ < memory_meshes_.size())
+    return {{std::move(memory_meshes_[used_memory_meshes_++])}, {read_bsdf(bsdf.value())}};
   if (p.type() != "obj") fail_unknown_type(p, "mesh");
   const std::string filename = p.string("filename", "");
   if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
   const std::filesystem::path path = xml_.path().parent_path() / filename;
   const dmat4 to_world = p.transform("toWorld");
-  const auto bsdf = p.only_child("bsdf");
-  ObjParts parts;
-  std::vector<Bsdf> bsdfs;
-  if (bsdf) {
-    parts.meshes.push_back(read_obj(path, to_world, p.location(), diagnostics_));
-    bsdfs.push_back(read_bsdf(*bsdf));
-  } else {
-    parts = read_obj_by_material(path, to_world, p.location(), diagnostics_);
-    bsdfs = read_materials(parts, path.parent_path(), p.location());
-  }
+  if (bsdf) return {{read_obj(path, to_world, p.location(), diagnostics_)}, {read_bsdf(*bsdf)}};
+  ObjParts parts = read_obj_by_material(path, to_world, p.location(), diagnostics_);
+  std::vector<Bsdf> bsdfs = read_materials(parts, path.parent_path(), p.location());
+  return {std::move(parts.meshes), std::move(bsdfs)};
+}
+
+void SceneReader::read_mesh(const pugi::xml_node& node) {
+  PropertyReader p = open(node);
+  Surfaces surfaces = read_surfaces(p);
   std::optional<AreaEmitter> emitter;
   if (const auto child = p.only_child("emitter")) emitter = read_mesh_emitter(*child);
   p.finish(diagnostics_);
-  for (std::size_t i = 0; i < parts.meshes.size(); ++i) {
-    Mesh& mesh = scene_.meshes.emplace_back(std::move(parts.meshes[i]));
+  for (std::size_t i = 0; i < surfaces.meshes.size(); ++i) {
+    Mesh& mesh = scene_.meshes.emplace_back(std::move(surfaces.meshes[i]));
     mesh.bsdf = static_cast<std::uint32_t>(scene_.bsdfs.size());
-    scene_.bsdfs.push_back(bsdfs[i]);
+    scene_.bsdfs.push_back(surfaces.bsdfs[i]);
     if (!emitter) continue;
     mesh.emitter = static_cast<std::uint32_t>(scene_.emitters.size());
     emitter->mesh = static_cast<std::uint32_t>(scene_.meshes.size() - 1);

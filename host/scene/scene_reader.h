@@ -18,6 +18,9 @@ class SceneReader {
 
   /// All of a <scene>.
   [[nodiscard]] Scene read(const pugi::xml_node& node) &&;
+  /// The same, with meshes that are in memory: the k-th <mesh type="memory"> stands for the k-th of them, and
+  /// has a BSDF.
+  [[nodiscard]] Scene read(const pugi::xml_node& node, std::vector<Mesh> memory_meshes) &&;
   /// A <bsdf>; its textures join those of the scene.
   [[nodiscard]] Bsdf read_bsdf(const pugi::xml_node& node);
   [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
@@ -30,6 +33,12 @@ class SceneReader {
   /// An error, but a warning where an option takes its place.
   void forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden);
   void read_mesh(const pugi::xml_node& node);
+  /// A mesh's parts and the BSDF of each.
+  struct Surfaces {
+    std::vector<Mesh> meshes;
+    std::vector<Bsdf> bsdfs;
+  };
+  [[nodiscard]] Surfaces read_surfaces(PropertyReader& p);
   /// Index of a material's map among the textures; none, with a warning, where it cannot be read.
   std::uint32_t read_material_texture(const std::filesystem::path& map, const std::string& material,
                                       const SourceLocation& where);
@@ -49,6 +58,8 @@ class SceneReader {
   Diagnostics& diagnostics_;
   Overridden overridden_;
   Scene scene_;
+  std::vector<Mesh> memory_meshes_;
+  std::size_t used_memory_meshes_ = 0;
 };
 
 }  // namespace facet

@@ -1,26 +1,20 @@
 #pragma once
-// What a render is asked for beyond the scene, whatever renders it.
-#include <cstdint>
+// What is rendered, with every choice made: the scene's word, or the caller's where there is one.
+#include <facet/film.h>
+
+#include "scene/scene.h"
 
 namespace facet {
 
-/// How directions are sampled: rough lobes by half vectors from the NDF or from the visible normals; or, by
-/// the reference alone, every BSDF by the uniform hemisphere, which needs none of its sampling code.
-enum class LobeSampling { ndf, visible, uniform };
-
-/// Pixels [x0, x1) x [y0, y1) of the image.
-struct Crop {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-};
-
 struct RenderSettings {
+  ImageSize size;  ///< of the whole image
   Crop crop;
-  std::uint32_t first_sample = 0;  ///< samples [first, end) of each pixel
-  std::uint32_t end_sample = 1;
+  SampleRange samples{0, 1};
   std::uint32_t seed = 0;
+  Integrator integrator;
+  Sampler sampler = Sampler::independent;
+  EmitterSelection emitter_selection = EmitterSelection::power;
+  std::optional<Masking> masking;  ///< instead of that of the scene's BSDFs
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares
 
@@ -31,6 +25,25 @@ struct RenderSettings {
   std::uint32_t paths_in_flight = 0;
   /// Measure the seconds of each stage.
   bool time_stages = false;
+
+  [[nodiscard]] int crop_width() const { return crop.x1 - crop.x0; }
+  [[nodiscard]] int crop_height() const { return crop.y1 - crop.y0; }
+  /// The crop's place in the whole image.
+  [[nodiscard]] ImageWindow window() const { return {crop.x0, crop.y0, size.width, size.height}; }
 };
+
+/// The settings of a render of the scene as the request wants it. Throws InputError for a request that
+/// nothing can meet: an unknown integrator or sampler, none at all, a size beyond check_image_size, pixels
+/// outside the image, or a range without samples.
+[[nodiscard]] RenderSettings resolve(const Scene& scene, const RenderRequest& request);
+
+/// The scene's camera with the settings' size of the image.
+[[nodiscard]] Camera camera_of(const Scene& scene, const RenderSettings& settings);
+
+/// The scene's BSDFs with the settings' masking function.
+[[nodiscard]] std::vector<Bsdf> bsdfs_of(const Scene& scene, const RenderSettings& settings);
+
+/// What can be said of a render before it has begun: all of the record but who renders, and the time.
+[[nodiscard]] RenderRecord record_of(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace facet

@@ -4,15 +4,6 @@
 
 namespace facet::statistics {
 
-/// Upper tail Q(a, x) of the regularised incomplete gamma function, a > 0, x >= 0, to about 1e-13 relative
-/// (1e-10 for a above 1e5): series below a + 1, Lentz's continued fraction above (Abramowitz and
-/// Stegun 6.5.29, 6.5.31).
-[[nodiscard]] double upper_gamma(double a, double x);
-
-/// Regularised incomplete beta function I_x(a, b), a, b > 0, x in [0, 1]: Lentz's continued fraction
-/// (Abramowitz and Stegun 26.5.8), about 1e-13 relative for moderate a and b.
-[[nodiscard]] double incomplete_beta(double a, double b, double x);
-
 /// Probability that chi-squared of so many degrees of freedom is at least `statistic`; 1 without degrees of
 /// freedom.
 [[nodiscard]] double chi_squared_survival(double statistic, double degrees);
@@ -22,6 +13,9 @@ namespace facet::statistics {
 
 /// Two-sided p-value of a standard normal deviate.
 [[nodiscard]] double normal_p_value(double z);
+
+/// z with P(|N(0, 1)| > z) = p.
+[[nodiscard]] double two_sided_normal_quantile(double p);
 
 /// Significance of each of `tests` independent tests that together err with probability `significance`: 1 -
 /// (1 - s)^(1/n) (Z. Šidák, "Rectangular Confidence Regions for the Means of Multivariate Normal

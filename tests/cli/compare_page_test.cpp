@@ -166,11 +166,10 @@ TEST_F(ComparePageTest, WorstPixelsCanBeSeenAndRenderedAgain) {
   expect_words(page["pointed"].get<std::string>(), {"pixel 11, 20: FLIP ≈ 0.", "B 0.25 0.25 0.25"});
   ASSERT_EQ(page["commands"].size(), 6U);
   EXPECT_EQ(page["commands"][0],
-            "facet render --pixel 13,22 "
-            "--resolution "
-            "100x100 --integrator=path --sample-range=3:9 --seed=7 --max-depth=-1 --backend=vulkan -- "
+            "facet render --pixel=13,22 --resolution=100x100 --backend=vulkan --integrator=path "
+            "--max-depth=-1 --sample-range=3:9 --seed=7 -- "
             "'a b'\\''s</script><script>document.title='\\''x'\\''</script>.xml'");
-  EXPECT_NE(page["commands"][3].get<std::string>().find("--pixel 10,20 "), std::string::npos);
+  EXPECT_NE(page["commands"][3].get<std::string>().find("--pixel=10,20 "), std::string::npos);
   EXPECT_NE(page["commands"][3].get<std::string>().find("--seed=8"), std::string::npos);
 }
 

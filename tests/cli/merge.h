@@ -2,7 +2,7 @@
 // Rendering parts and merging them.
 #include "cli/program.h"
 #include "image/files.h"
-#include "image/part.h"
+#include "image/record.h"
 
 namespace facet::test {
 

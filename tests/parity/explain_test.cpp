@@ -7,6 +7,7 @@ namespace facet::test {
 namespace {
 
 using namespace reference;
+using namespace parity;
 
 struct Traced {
   Vec3<float> radiance{0};
@@ -17,7 +18,7 @@ struct Traced {
 class Subject {
  public:
   Subject(const std::string& name, int width, int height)
-      : scene(resized(load_scene(name), width, height)), world(scene, LobeSampling::visible) {}
+      : scene(resized(load_scene(name), width, height)), world(scene, whole_image(scene, 1)) {}
 
   [[nodiscard]] SampleId id(int x, int y, std::uint32_t sample) const {
     return {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, scene.seed, scene.sampler};
@@ -116,16 +117,13 @@ TEST_F(Explain, does_not_explain_a_fault) {
 TEST_F(Explain, tells_what_failing_samples_have_in_common) {
   const Scene scene = Subject::resized(load_scene("cbox/cbox_substrate_mis.xml"), 60, 45);
   const RenderSettings settings = whole_image(scene, 2);
-  gpu::Device device = make_device();
   // The kernels get another scene: the coat of one ball is rougher.
   Scene wrong = scene;
   for (Bsdf& b : wrong.bsdfs) {
     if (auto* substrate = std::get_if<bsdf::RoughSubstrate>(&b)) substrate->alpha.value *= 1.1F;
   }
-  Renderer renderer(device, pack_scene(wrong), find_features(wrong, settings), settings);
-  const ParityReport report = check_parity(
-      scene, settings, {}, [&](std::uint32_t sample) { return renderer.render_sample(sample); },
-      [&] { return renderer.film(); }, [](double) { return true; });
+  const std::unique_ptr<Rendering> kernels = kernel_backend().start(borrowed(wrong), settings);
+  const ParityReport report = check_parity(scene, settings, {}, *kernels, [](double) { return true; });
   EXPECT_GT(report.unexplained(), 100U);
   ASSERT_FALSE(report.suspects.empty());
   EXPECT_NE(report.suspects[0].part.find("roughsubstrate"), std::string::npos) << report.suspects[0].part;

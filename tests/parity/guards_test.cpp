@@ -1,6 +1,5 @@
 // Guards against what the two renderers could share: numbers, and a density that is wrong in both.
-#include "image/z_test.h"
-#include "reference/renderer.h"
+#include "compare/z_test.h"
 #include "statistics/hypothesis.h"
 #include "support/parity.h"
 #include "support/scenes.h"
@@ -16,11 +15,7 @@ double share_of_significance(std::size_t tests) {
 }
 
 Image reference_image(const Scene& scene, const RenderSettings& settings) {
-  RenderStatistics statistics;
-  const Film film = reference::render<float>(
-      scene, settings, [](double, const RenderStatistics&) { return true; }, statistics);
-  EXPECT_EQ(statistics.bad_samples, 0U);
-  return develop(film, true);
+  return develop(render_reference(scene, settings, Precision::float_), true);
 }
 
 class Seeds : public ::testing::TestWithParam<std::string> {};

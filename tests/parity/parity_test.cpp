@@ -1,7 +1,6 @@
 // Every shipped scene and every integrator: the kernels' samples are the reference's, or differ for a reason.
 #include "support/parity.h"
 
-#include "reference/renderer.h"
 #include "support/scenes.h"
 
 namespace facet::test {
@@ -74,8 +73,9 @@ TEST(Parity, holds_for_every_choice_of_the_estimator) {
   for (const Heuristic heuristic : {Heuristic::balance, Heuristic::power}) {
     for (const EmitterSelection selection : {EmitterSelection::power, EmitterSelection::uniform}) {
       scene.integrator.heuristic = heuristic;
-      scene.emitter_selection = selection;
-      expect_parity(scene, whole_image(scene, 4));
+      RenderSettings settings = whole_image(scene, 4);
+      settings.emitter_selection = selection;
+      expect_parity(scene, settings);
     }
   }
   for (const int depth : {0, 1, 2, 7}) {
@@ -98,8 +98,8 @@ TEST(Parity, holds_for_crops_seeds_and_later_samples) {
   RenderSettings settings = whole_image(scene, 4);
   settings.crop = {5, 9, 41, 30};
   settings.seed = 4000000000U;
-  settings.first_sample = 1000003;
-  settings.end_sample = 1000007;
+  settings.samples.begin = 1000003;
+  settings.samples.end = 1000007;
   expect_parity(scene, settings);
 }
 
@@ -130,9 +130,7 @@ TEST(Parity, lights_do_not_shadow_themselves_from_afar) {
   add_mesh(scene, make_quad({-60, -40, -60}, {-60, -40, 60}, {60, -40, 60}, {60, -40, -60}), bsdf::Diffuse{});
   set_camera(scene, 64, 60, {0, 10, -80}, {0, -40, 0});
   const RenderSettings settings = whole_image(scene, 16);
-  RenderStatistics statistics;
-  const Film exact = reference::render<double>(
-      scene, settings, [](double, const RenderStatistics&) { return true; }, statistics);
+  const Film exact = render_reference(scene, settings, Precision::double_);
   EXPECT_GT(count_nonzero(exact), 10000U);
   EXPECT_EQ(count_nonzero(render(scene, settings).film), count_nonzero(exact));
 }

@@ -145,8 +145,7 @@ TEST(ReproduciblePasses, any_size_and_any_part_of_image_and_samples) {
     Scene scene = load_scene(name);
     scene.camera.width = width;
     scene.camera.height = height;
-    const PackedScene packed = pack_scene(scene);
-    const auto film = [&](const RenderSettings& settings) { return render(scene, packed, settings).film; };
+    const auto film = [&](const RenderSettings& settings) { return render(scene, settings).film; };
 
     RenderSettings ndf = whole_image(scene, 6);
     ndf.sampling = LobeSampling::ndf;
@@ -162,8 +161,7 @@ TEST(ReproduciblePasses, any_size_and_any_part_of_image_and_samples) {
     RenderSettings part = whole_image(scene, 5);
     part.crop = {7, 11, 29, 24};
     RenderSettings rest = part;
-    rest.first_sample = 5;
-    rest.end_sample = 6;
+    rest.samples = {5, 6};
     expect_sum(whole, film(part), film(rest), part.crop);
   }
 }

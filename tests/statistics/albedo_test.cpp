@@ -91,8 +91,7 @@ std::string table_of(BsdfKernels& kernels, std::size_t model, bsdf::Distribution
 }
 
 TEST(Albedo, what_absorbs_nothing_makes_no_light) {
-  gpu::Device device = make_device();
-  BsdfKernels kernels(device);
+  BsdfKernels kernels(device());
   std::string page =
       "# Albedos\n\n"
       "Share of the light that each rough BSDF gives back where its parameters absorb nothing, by roughness "

@@ -1,5 +1,5 @@
 // Estimators of the same light agree, cell by cell.
-#include "image/z_test.h"
+#include "compare/z_test.h"
 #include "support/render.h"
 #include "support/scenes.h"
 
@@ -16,11 +16,13 @@ void shrink(Scene& scene, int width) {
 }
 
 Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, int spp,
-               LobeSampling sampling = LobeSampling::visible) {
+               LobeSampling sampling = LobeSampling::visible,
+               EmitterSelection selection = EmitterSelection::power) {
   set_integrator(scene, integrator);
   scene.seed = seed;
   RenderSettings settings = whole_image(scene, spp);
   settings.sampling = sampling;
+  settings.emitter_selection = selection;
   return render(scene, settings).image;
 }
 
@@ -108,10 +110,12 @@ TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
   Scene scene = load_scene("veach_mi/veach_mi_mis.xml");
   shrink(scene, 48);
   const Image usual = estimate(scene, "direct_mis", 1, 1024);
-  scene.emitter_selection = EmitterSelection::uniform;
-  expect_agreement(usual, estimate(scene, "direct_mis", 2, 1024), "power, uniform selection");
+  const auto uniform = [&scene](std::uint32_t seed) {
+    return estimate(scene, "direct_mis", seed, 1024, LobeSampling::visible, EmitterSelection::uniform);
+  };
+  expect_agreement(usual, uniform(2), "power, uniform selection");
   scene.integrator.heuristic = Heuristic::power;
-  expect_agreement(usual, estimate(scene, "direct_mis", 3, 1024), "balance, power heuristic");
+  expect_agreement(usual, uniform(3), "balance, power heuristic");
 }
 
 TEST(EstimatorChoices, area_emitter_and_environment_together) {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "image/z_test.h"
+#include "compare/z_test.h"
 #include "support/render.h"
 #include "support/scenes.h"
 

@@ -1,5 +1,5 @@
 // Nori's tests on BSDFs made here, right and wrong ones.
-#include "statistics/nori_tests.h"
+#include "nori/nori_tests.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,15 @@
 #include <numeric>
 #include <random>
 
-namespace facet::statistics {
+namespace facet::nori {
+
+using statistics::BsdfDraw;
+using statistics::BsdfNumbers;
+using statistics::BsdfValue;
+using statistics::DirectionPair;
+using statistics::integrate_expected;
+using statistics::sphere_point;
+using statistics::SpherePoint;
 
 namespace {
 
@@ -226,9 +234,11 @@ TEST(MeanLuminance, PixelsAreStrata) {
   // Pixels differ by far more than samples of one pixel do.
   std::mt19937 engine(3);
   const auto render = [&engine](std::uint32_t) {
-    std::vector<vec3> radiances;
-    for (int i = 0; i < 1000; ++i)
-      radiances.emplace_back(static_cast<float>(i) + static_cast<float>(engine()) * 0x1p-32F);
+    std::vector<Radiance> radiances;
+    for (int i = 0; i < 1000; ++i) {
+      const float r = static_cast<float>(i) + static_cast<float>(engine()) * 0x1p-32F;
+      radiances.push_back({r, r, r});
+    }
     return radiances;
   };
   const Estimate e = mean_luminance(render, 8);
@@ -256,6 +266,51 @@ TEST(PlanImage, KeepsTheShape) {
   EXPECT_EQ(plan_image(1, 1, 100000).width, 158);
 }
 
+/// A grey image of every sample; it counts them.
+class GreyRendering : public Rendering {
+ public:
+  GreyRendering(const RenderSettings& settings, std::size_t& samples)
+      : settings_(settings), samples_(samples) {}
+  void run(const ProgressCallback& /*progress*/) override {}
+  std::vector<Radiance> sample(std::uint32_t /*index*/) override {
+    const auto pixels = static_cast<std::size_t>(settings_.size.width * settings_.size.height);
+    samples_ += pixels;
+    return std::vector<Radiance>(pixels, {0.25F, 0.25F, 0.25F});
+  }
+  Film film() const override { return {}; }
+  const RenderStatistics& statistics() const override { return statistics_; }
+
+ private:
+  RenderSettings settings_;
+  std::size_t& samples_;
+  RenderStatistics statistics_;
+};
+
+class FakeBackend : public TestableBackend {
+ public:
+  std::string name() const override { return "fake"; }
+  std::string driver() const override { return "none"; }
+  using TestableBackend::start;
+  std::unique_ptr<Rendering> start(const ScenePtr& scene, const RenderSettings& settings) override {
+    EXPECT_TRUE(std::holds_alternative<BoxFilter>(scene->camera.filter));
+    EXPECT_EQ(settings.sampler, Sampler::independent);
+    EXPECT_EQ(settings.size.width * 3, settings.size.height * 4);
+    EXPECT_EQ(settings.crop_width(), settings.size.width);
+    EXPECT_EQ(settings.crop_height(), settings.size.height);
+    return std::make_unique<GreyRendering>(settings, samples);
+  }
+  std::unique_ptr<BsdfEvaluator> evaluator(const Bsdf& /*bsdf*/, LobeSampling /*sampling*/) override {
+    auto lobe = std::make_unique<Lobe>();
+    weight += weight_step;
+    lobe->weight = weight;
+    return lobe;
+  }
+
+  std::size_t samples = 0;
+  double weight = 0.5;  ///< of the last evaluator
+  double weight_step = 0;
+};
+
 /// Two BSDFs under two angles, of albedos 0.2, 0.2, 0.4, 0.4 by the order in which evaluators are made.
 std::vector<TestCase> run_albedos(const std::vector<double>& references, double of_file,
                                   std::uint32_t seed = 1) {
@@ -263,15 +318,11 @@ std::vector<TestCase> run_albedos(const std::vector<double>& references, double 
   test.significance = of_file;
   test.bsdfs = {{bsdf::Diffuse{}, "one", {}}, {bsdf::Diffuse{}, "two", {}}};
   test.kind = TTest{{0, 45}, references, 10000};
-  double weight = 0;
-  const TestBackend backend{[&weight](const Bsdf&) {
-                              auto lobe = std::make_unique<Lobe>();
-                              lobe->weight = weight += 0.2;
-                              return lobe;
-                            },
-                            {}};
+  FakeBackend backend;
+  backend.weight = 0;
+  backend.weight_step = 0.2;
   std::vector<TestCase> cases;
-  run_test(test, backend, seed, [&](const TestCase& c) {
+  run_test(test, backend, LobeSampling::visible, seed, [&](const TestCase& c) {
     cases.push_back(c);
     return true;
   });
@@ -307,36 +358,25 @@ TEST(RunTest, ScenesAreSampledEvenlyAndIndependently) {
   scene.camera.width = 400;
   scene.camera.height = 300;
   scene.sampler = Sampler::sobol;
-  std::size_t samples = 0;
-  const TestBackend backend{{}, [&samples](const Scene& s, const RenderSettings& settings) -> SampleRenderer {
-                              EXPECT_TRUE(std::holds_alternative<BoxFilter>(s.camera.filter));
-                              EXPECT_EQ(s.sampler, Sampler::independent);
-                              EXPECT_EQ(s.camera.width * 3, s.camera.height * 4);
-                              EXPECT_EQ(settings.crop.x1, s.camera.width);
-                              EXPECT_EQ(settings.crop.y1, s.camera.height);
-                              const auto pixels = static_cast<std::size_t>(s.camera.width * s.camera.height);
-                              return [&samples, pixels](std::uint32_t) {
-                                samples += pixels;
-                                return std::vector<vec3>(pixels, vec3(0.25F));
-                              };
-                            }};
-  run_test(test, backend, 1, [](const TestCase& c) {
+  scene.integrator.type = find_integrator_type("path_mis").value();
+  FakeBackend backend;
+  run_test(test, backend, LobeSampling::visible, 1, [](const TestCase& c) {
     EXPECT_TRUE(c.verdict.passed);
     return true;
   });
-  EXPECT_GE(samples, 1000U);
+  EXPECT_GE(backend.samples, 1000U);
 }
 
 TEST(RunTest, StopsWhenTold) {
   StatisticalTest test;
   test.bsdfs = {{bsdf::Diffuse{}, "one", {}}};
   test.kind = ChiSquaredTest{4, 5, 1000, 9};
-  const TestBackend backend{[](const Bsdf&) { return std::make_unique<Lobe>(); }, {}};
+  FakeBackend backend;
   int cases = 0;
-  run_test(test, backend, 1, [&cases](const TestCase&) { return ++cases < 3; });
+  run_test(test, backend, LobeSampling::visible, 1, [&cases](const TestCase&) { return ++cases < 3; });
   EXPECT_EQ(cases, 3);
 }
 
 }  // namespace
 
-}  // namespace facet::statistics
+}  // namespace facet::nori

@@ -8,8 +8,7 @@ namespace facet::test {
 
 /// The case on the device of all of a program's tests.
 [[nodiscard]] inline KernelBsdfEvaluator kernels_of(const BsdfCase& c) {
-  static gpu::Device device = make_device();
-  static BsdfKernels kernels(device);
+  static BsdfKernels kernels(device());
   return {kernels, c.bsdf, c.sampling};
 }
 

@@ -24,8 +24,8 @@ struct NamedBsdf {
 };
 
 inline constexpr bsdf::MicrofacetOptions rational_beckmann{};
-inline constexpr bsdf::MicrofacetOptions exact_beckmann{bsdf::Distribution::beckmann, bsdf::Masking::exact};
-inline constexpr bsdf::MicrofacetOptions ggx{bsdf::Distribution::ggx, bsdf::Masking::rational};
+inline constexpr bsdf::MicrofacetOptions exact_beckmann{bsdf::Distribution::beckmann, Masking::exact};
+inline constexpr bsdf::MicrofacetOptions ggx{bsdf::Distribution::ggx, Masking::rational};
 
 /// Every BSDF that has values, of roughness alpha, under the options.
 [[nodiscard]] inline std::vector<NamedBsdf> rough_bsdfs(float alpha, const bsdf::MicrofacetOptions& options,

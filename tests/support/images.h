@@ -1,10 +1,10 @@
 #pragma once
 // Images that tests write.
+#include <facet/film.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include "image/image.h"
 
 namespace facet::test {
 

@@ -6,22 +6,21 @@
 
 namespace facet::test {
 
-reference::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings) {
-  gpu::Device device = make_device();
-  Renderer renderer(device, pack_scene(scene), find_features(scene, settings), settings);
-  reference::ParityReport report = reference::check_parity(
-      scene, settings, {}, [&](std::uint32_t sample) { return renderer.render_sample(sample); },
-      [&] { return renderer.film(); }, [](double) { return true; });
-  EXPECT_EQ(renderer.statistics().bound_hits, 0U);
+parity::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings) {
+  KernelBackend& backend = kernel_backend();
+  const std::unique_ptr<Rendering> rendering = backend.start(borrowed(scene), settings);
+  parity::ParityReport report =
+      parity::check_parity(scene, settings, {}, *rendering, [](double) { return true; });
+  EXPECT_EQ(rendering->statistics().bound_hits, 0U);
   expect_silent_validation();
   return report;
 }
 
 void expect_parity(const Scene& scene, const RenderSettings& settings) {
-  const reference::ParityReport report = compare_with_reference(scene, settings);
+  const parity::ParityReport report = compare_with_reference(scene, settings);
   EXPECT_GT(report.samples, 0U);
   for (const std::string& failing : report.failings()) ADD_FAILURE() << failing;
-  for (const reference::DivergedSample& d : report.diverged) {
+  for (const parity::DivergedSample& d : report.diverged) {
     if (d.turned.empty())
       ADD_FAILURE() << "pixel " << d.x << ',' << d.y << " sample " << d.sample << ": kernels " << d.kernels.x
                     << ' ' << d.kernels.y << ' ' << d.kernels.z << ", reference " << d.reference.x << ' '

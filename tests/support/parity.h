@@ -1,13 +1,12 @@
 #pragma once
 // The kernels against the reference in tests.
-#include "reference/parity.h"
+#include "parity/parity.h"
 #include "support/render.h"
 
 namespace facet::test {
 
 /// Renders with the kernels and compares with the reference; expects that no validation message was heard.
-[[nodiscard]] reference::ParityReport compare_with_reference(const Scene& scene,
-                                                             const RenderSettings& settings);
+[[nodiscard]] parity::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings);
 
 /// Expects parity, and says what does not hold.
 void expect_parity(const Scene& scene, const RenderSettings& settings);

@@ -2,52 +2,53 @@
 
 #include <cmath>
 
-#include "image/z_test.h"
+#include "reference/backend.h"
 #include "scene/reader.h"
 #include "statistics/hypothesis.h"
 
 namespace facet::test {
 
-namespace {
-
-gpu::Instance& instance() {
-  static gpu::Instance instance(true);
-  return instance;
+KernelBackend& kernel_backend() {
+  static KernelBackend backend("", true);
+  return backend;
 }
-
-}  // namespace
 
 RenderSettings whole_image(const Scene& scene, int spp) {
-  RenderSettings settings;
-  settings.crop = {0, 0, scene.camera.width, scene.camera.height};
-  settings.end_sample = static_cast<std::uint32_t>(spp);
-  settings.seed = scene.seed;
-  settings.variance = true;
-  return settings;
+  RenderRequest request;
+  request.samples = spp;
+  request.variance = true;
+  // Where no integrator is named, none matters.
+  if (scene.integrator.type.name.empty()) request.integrator = "normals";
+  return resolve(scene, request);
 }
-
-gpu::Device make_device() { return {instance(), instance().choose("")}; }
 
 void expect_silent_validation() {
   static std::size_t heard = 0;
-  const auto& messages = instance().validation().messages;
+  const std::vector<std::string> messages = kernel_backend().validation_messages();
   for (; heard < messages.size(); ++heard) ADD_FAILURE() << "validation: " << messages[heard];
 }
 
-Rendered render(const PackedScene& packed, const Features& features, const RenderSettings& settings) {
-  gpu::Device device = make_device();
+Rendered render(const PackedScene& packed) {
   Rendered result;
   {
-    Renderer renderer(device, packed, features, settings);
-    renderer.render([](double, const RenderStatistics&) { return true; });
+    Renderer renderer(device(), packed);
+    renderer.render({});
     result.statistics = renderer.statistics();
     result.film = renderer.film();
   }
-  result.image = develop(result.film, settings.variance);
+  result.image = develop(result.film, packed.settings.variance);
   EXPECT_EQ(result.statistics.bad_samples, 0U);
   EXPECT_EQ(result.statistics.bound_hits, 0U);
   expect_silent_validation();
   return result;
+}
+
+Film render_reference(const Scene& scene, const RenderSettings& settings, Precision precision) {
+  const auto backend = reference::make_backend(precision);
+  const auto rendering = backend->start(borrowed(scene), settings);
+  rendering->run({});
+  EXPECT_EQ(rendering->statistics().bad_samples, 0U);
+  return rendering->film();
 }
 
 void set_integrator(Scene& scene, const std::string& name) {
@@ -80,7 +81,8 @@ void expect_mean(const Image& image, const Color& expected, double critical) {
 }
 
 double critical_distance(int tests) {
-  return two_sided_normal_quantile(statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
+  return statistics::two_sided_normal_quantile(
+      statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
 }
 
 Scene load_scene(const std::string& name) {

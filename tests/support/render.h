@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "render/backend.h"
 #include "render/renderer.h"
-#include "scene/scene.h"
 
 namespace facet::test {
 
@@ -19,23 +19,23 @@ struct Rendered {
 [[nodiscard]] RenderSettings whole_image(const Scene& scene, int spp);
 
 /// Renders and expects that no sample was bad, no bound was hit, and the validation layers kept silent.
-[[nodiscard]] Rendered render(const PackedScene& packed, const Features& features,
-                              const RenderSettings& settings);
-[[nodiscard]] inline Rendered render(const Scene& scene, const PackedScene& packed,
-                                     const RenderSettings& settings) {
-  return render(packed, find_features(scene, settings), settings);
-}
+[[nodiscard]] Rendered render(const PackedScene& packed);
 [[nodiscard]] inline Rendered render(const Scene& scene, const RenderSettings& settings) {
-  return render(scene, pack_scene(scene), settings);
+  return render(pack_scene(scene, settings));
 }
 [[nodiscard]] inline Rendered render(const Scene& scene, int spp) {
   return render(scene, whole_image(scene, spp));
 }
 
-/// A device with validation layers on.
-[[nodiscard]] gpu::Device make_device();
+/// The kernels on the default device with validation layers on.
+[[nodiscard]] KernelBackend& kernel_backend();
+/// Its device.
+[[nodiscard]] inline gpu::Device& device() { return kernel_backend().device(); }
 /// Expects that the layers have said nothing since the last call.
 void expect_silent_validation();
+
+/// The same by the reference.
+[[nodiscard]] Film render_reference(const Scene& scene, const RenderSettings& settings, Precision precision);
 
 /// Sets the integrator by name.
 void set_integrator(Scene& scene, const std::string& name);

@@ -35,21 +35,20 @@ std::vector<std::uint32_t> read_words(const std::string& path) {
 
 /// outputs[i] = function(inputs[i]) by the kernel.
 Pairs evaluate(Function function, const Pairs& inputs) {
-  gpu::Device device = make_device();
   const std::vector<vk::DescriptorType> types(2, vk::DescriptorType::eStorageBuffer);
-  const gpu::Layout layout(device, types, 4);
-  gpu::Buffer in(device, inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+  const gpu::Layout layout(device(), types, 4);
+  gpu::Buffer in(device(), inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
                  "inputs");
-  const gpu::Buffer out(device, inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
+  const gpu::Buffer out(device(), inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
                         "outputs");
   in.upload(inputs);
   const std::vector<gpu::Binding> bindings{{&in, nullptr}, {&out, nullptr}};
-  const gpu::BindingSet set(device, layout, bindings);
+  const gpu::BindingSet set(device(), layout, bindings);
   const std::vector<std::uint32_t> code = read_words(FACET_TEST_KERNELS "/elementary.spv");
   const std::vector<std::uint32_t> constants{function};
   const auto pipeline = gpu::make_compute_pipeline(
-      device, layout, gpu::specialise(code, constants, "elementary"), "elementary");
-  device.run([&](const vk::raii::CommandBuffer& c) {
+      device(), layout, gpu::specialise(code, constants, "elementary"), "elementary");
+  device().run([&](const vk::raii::CommandBuffer& c) {
     c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
     c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline(), 0, set.handle(), {});
     c.dispatch(static_cast<std::uint32_t>((inputs.size() + 63) / 64), 1, 1);

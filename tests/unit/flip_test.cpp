@@ -1,6 +1,6 @@
 // FLIP against its definition: values derived by hand, an independent computation, and what must hold for any
 // image.
-#include "image/flip.h"
+#include "compare/flip.h"
 
 #include <gtest/gtest.h>
 

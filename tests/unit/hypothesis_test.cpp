@@ -36,6 +36,7 @@ TEST(Hypothesis, student_has_its_known_tails) {
   expect_relative(student_p_value(4, 1000), 0.0000680099192087815776, 1e-11);
   expect_relative(student_p_value(0.01, 50), 0.992061081367142927, 1e-12);
   expect_relative(student_p_value(30, 20), 4.19522532399965816e-18, 1e-11);
+  EXPECT_EQ(student_p_value(INFINITY, 7), 0);
   expect_relative(student_p_value(-2, 5), student_p_value(2, 5), 0);
   EXPECT_EQ(student_p_value(0, 7), 1);
 }
@@ -45,11 +46,11 @@ TEST(Hypothesis, student_tends_to_the_normal_distribution) {
   expect_relative(normal_p_value(1.959963984540054), 0.05, 1e-12);
 }
 
-TEST(Hypothesis, the_complement_of_a_beta_is_a_beta) {
-  for (double x = 0.05; x < 1; x += 0.05) {
-    EXPECT_NEAR(incomplete_beta(2.5, 7, x) + incomplete_beta(7, 2.5, 1 - x), 1, 1e-13);
-    EXPECT_NEAR(incomplete_beta(1, 3, x), 1 - std::pow(1 - x, 3), 1e-13);
-  }
+TEST(Hypothesis, normal_quantiles_are_the_known_ones) {
+  expect_relative(two_sided_normal_quantile(0.05), 1.959963984540054, 1e-14);
+  expect_relative(two_sided_normal_quantile(1e-9), 6.109410204869002, 1e-12);
+  for (double p = 1e-12; p < 1; p *= 3)
+    expect_relative(normal_p_value(two_sided_normal_quantile(p)), p, 1e-11);
 }
 
 TEST(Hypothesis, independent_tests_err_together_as_often_as_asked) {

@@ -1,6 +1,5 @@
 // EXR and PNG files: what is written is read back, and a failed write harms nothing.
-#include "image/image.h"
-
+#include <facet/film.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -9,7 +8,7 @@
 #include <csignal>
 #include <limits>
 
-#include "image/atomic_file.h"
+#include "core/atomic_file.h"
 #include "image/files.h"
 #include "support/images.h"
 #include "support/input.h"

@@ -59,11 +59,10 @@ TEST(Invariance, kernels_with_everything_in_change_no_bit) {
   }
   for (const Scene& scene : scenes) {
     SCOPED_TRACE(scene.integrator.type.name);
-    const PackedScene packed = pack_scene(scene);
-    const RenderSettings settings = whole_image(scene, 4);
-    const Features features = find_features(scene, settings);
-    const Rendered own = render(packed, features, settings);
-    const Rendered everything = render(packed, features.with_everything(), settings);
+    PackedScene packed = pack_scene(scene, whole_image(scene, 4));
+    const Rendered own = render(packed);
+    packed.features = packed.features.with_everything();
+    const Rendered everything = render(packed);
     EXPECT_GT(everything.statistics.kernel_instructions, own.statistics.kernel_instructions);
     expect_equal_bits(own.film, everything.film);
   }

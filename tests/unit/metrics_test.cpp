@@ -1,5 +1,5 @@
 // RMSE, relMSE and their kin against values computed by hand.
-#include "image/metrics.h"
+#include "compare/metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "image/files.h"
-#include "reference/renderer.h"
 #include "scene/reader.h"
 #include "support/input.h"
 #include "support/render.h"
@@ -19,10 +18,8 @@ namespace {
 
 /// Images of a scene by kernels and by the reference.
 std::array<Image, 2> images_of(const Scene& scene, const RenderSettings& settings) {
-  RenderStatistics statistics;
-  const Film film = reference::render<double>(
-      scene, settings, [](double, const RenderStatistics&) { return true; }, statistics);
-  return {render(scene, settings).image, develop(film, false)};
+  return {render(scene, settings).image,
+          develop(render_reference(scene, settings, Precision::double_), false)};
 }
 
 Color pixel(const Image& image, int x, int y) {

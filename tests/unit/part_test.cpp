@@ -1,5 +1,5 @@
 // Parts: sums go to floats and come back, whatever their size.
-#include "image/part.h"
+#include "parts/part.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 #include <random>
 
 #include "image/files.h"
+#include "image/film.h"
+#include "image/record.h"
 #include "support/input.h"
 
 namespace facet {

@@ -171,7 +171,7 @@ class Definition {
     if (options_.distribution == bsdf::Distribution::ggx)
       return 2 / (1 + std::sqrt(1 + alpha_ * alpha_ * tangent * tangent));
     const double b = 1 / (alpha_ * tangent);
-    if (options_.masking == bsdf::Masking::exact)
+    if (options_.masking == Masking::exact)
       return 1 / (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(std::numbers::pi)));
     return b >= 1.6 ? 1 : (3.535 * b + 2.181 * b * b) / (1 + 2.276 * b + 2.577 * b * b);
   }

@@ -119,7 +119,7 @@ TEST_F(SceneBsdfTest, RoughDielectric) {
 }
 
 template <typename Type>
-void expect_options(const Type& b, bsdf::Distribution distribution, bsdf::Masking masking) {
+void expect_options(const Type& b, bsdf::Distribution distribution, Masking masking) {
   EXPECT_EQ(b.options.distribution, distribution);
   EXPECT_EQ(b.options.masking, masking);
 }
@@ -130,7 +130,6 @@ TEST_F(SceneBsdfTest, RoughBsdfsKnowDistributionsAndMasking) {
   };
   const auto check = [&]<typename Type>(const std::string& type) {
     using bsdf::Distribution;
-    using bsdf::Masking;
     expect_options(read_bsdf<Type>(bsdf(type, "")), Distribution::beckmann, Masking::rational);
     const char* options =
         "<string name=\"distribution\" value=\"ggx\"/><string name=\"masking\" value=\"exact\"/>";

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "image/z_test.h"
 #include "shared/random_hash.h"
+#include "statistics/hypothesis.h"
 
 namespace facet {
 
@@ -73,7 +73,7 @@ TEST(Sobol, hash_is_nested_and_unbiased) {
           static_cast<int>((shared::laine_karras(r.x, r.y) ^ r.x) >> bit & 1U);
     }
   }
-  const double critical = two_sided_normal_quantile(1 - std::pow(1 - 0.01, 1.0 / 32));
+  const double critical = statistics::two_sided_normal_quantile(statistics::sidak_significance(0.01, 32));
   for (const int count : turned) EXPECT_LT(std::abs(count - trials / 2) / std::sqrt(trials / 4.0), critical);
 }
 
@@ -115,7 +115,7 @@ TEST(Sobol, pairs_blocks_pixels_and_seeds_are_uncorrelated) {
       component(0, 5, 9, 2),  component(0, 5, 9, 3),  component(1, 4, 9, 0),          component(1, 4, 9, 1),
       component(0, 4, 10, 0), component(0, 4, 10, 1), component(0, 0x80000004U, 9, 0)};
   const double critical =
-      two_sided_normal_quantile(1 - std::pow(1 - 0.01, 1.0 / static_cast<double>(others.size())));
+      statistics::two_sided_normal_quantile(statistics::sidak_significance(0.01, others.size()));
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Correlation c = correlation(first, others[i]);
     EXPECT_LT(std::abs(c.mean), critical * std::sqrt(c.square)) << i;

@@ -8,6 +8,7 @@
 #include "accel/binary_bvh.h"
 #include "bench/mesh.h"
 #include "render/packed_scene.h"
+#include "support/render.h"
 #include "support/spirv.h"
 
 namespace facet::test {
@@ -147,7 +148,7 @@ MeanCounts count_visits(const Scene& scene, const PackedScene& packed) {
 
 TEST(TraversalCost, rays_visit_no_more_nodes_and_leaves_than_they_did) {
   const Scene scene = bench::generate_scene(70'000);
-  const PackedScene packed = pack_scene(scene);
+  const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
   const MeanCounts mean = count_visits(scene, packed);
   std::printf("camera %.2f nodes, %.2f leaves; bounce %.2f nodes, %.2f leaves; SAH cost %.3f\n",
               mean.camera.nodes, mean.camera.leaves, mean.bounce.nodes, mean.bounce.leaves,
@@ -163,7 +164,8 @@ TEST(TraversalCost, rays_visit_no_more_nodes_and_leaves_than_they_did) {
 
 TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
   for (const std::size_t triangles : {1000U, 70'000U, 300'000U}) {
-    const PackedScene packed = pack_scene(bench::generate_scene(triangles));
+    const Scene scene = bench::generate_scene(triangles);
+    const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
     const auto bytes =
         static_cast<double>(packed.bvh.items.size() * (sizeof(shared::BvhItem) + sizeof(shared::PairRecord)));
     EXPECT_LE(bytes / static_cast<double>(packed.triangle_count()), 53) << triangles;

@@ -78,13 +78,12 @@ std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit
 }
 
 Comparison compare_with_brute_force(const Scene& scene, double slack, bool storage_buffers = false) {
-  gpu::Device device = make_device();
   RenderSettings settings = whole_image(scene, 1);
   settings.force_storage_buffers = storage_buffers;
-  const PackedScene packed = pack_scene(scene);
-  Renderer renderer(device, packed, find_features(scene, settings), settings);
+  const PackedScene packed = pack_scene(scene, settings);
+  Renderer renderer(device(), packed);
   const std::vector<shared::RayRecord> rays = renderer.camera_rays();
-  RayTracer tracer(device, packed, static_cast<std::uint32_t>(rays.size()), storage_buffers);
+  RayTracer tracer(device(), packed, static_cast<std::uint32_t>(rays.size()), storage_buffers);
   tracer.set_rays(rays);
   tracer.trace_closest();
   const std::vector<shared::HitRecord> hits = tracer.hits();
@@ -181,7 +180,7 @@ TEST(Traversal, pairs_of_triangles_in_every_order) {
   Scene scene = make_scene("normals");
   add_mesh(scene, make_mesh(corners), bsdf::Diffuse{});
   set_camera(scene, 96, 60, {3, 3, -6}, {3, 3, 0});
-  const PackedScene packed = pack_scene(scene);
+  const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
   const auto is_pair = [](const shared::PairRecord& pair) { return pair.name1 != 0; };
   EXPECT_EQ(std::ranges::count_if(packed.bvh.pairs, is_pair), static_cast<std::ptrdiff_t>(squares));
   expect_right_hits(scene, 1e-4, 3000);
@@ -198,7 +197,7 @@ TEST(Traversal, triangles_name_their_meshes_even_in_pairs_of_two_meshes) {
   }
   for (const std::vector<vec3>& half : halves) add_mesh(scene, make_mesh(half), bsdf::Diffuse{});
   add_mesh(scene, make_mesh({{0, 5, 0}, {1, 5, 0}, {0, 6, 0}}), bsdf::Diffuse{});
-  const PackedScene packed = pack_scene(scene);
+  const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
   ASSERT_EQ(packed.triangle_count(), 41U);
   std::size_t mixed_pairs = 0;
   for (const std::uint32_t place : packed.bvh.places) {
@@ -233,7 +232,7 @@ TEST(Traversal, triangles_without_area_are_not_there) {
                       {0, 1, 1}}),
            bsdf::Diffuse{});
   set_camera(scene, 32, 60, {0, 0, -3}, {0, 0, 0});
-  EXPECT_EQ(pack_scene(scene).triangle_count(), 1U);
+  EXPECT_EQ(pack_scene(scene, whole_image(scene, 1)).triangle_count(), 1U);
   expect_right_hits(scene, 1e-4, 50);
 }
 
@@ -286,13 +285,11 @@ TEST(Traversal, fans_are_traversed_whole_and_found_to_be_what_they_are) {
   add_mesh(scene, make_quad({-2, -2, -1}, {2, -2, -1}, {2, 2, -1}, {-2, 2, -1}), bsdf::Diffuse{});
   add_mesh(scene, make_fan(count), bsdf::Diffuse{Color(0)}, Color(3));
   set_camera(scene, 64, 28, {0, 0, 4}, {0, 0, 0});
-  gpu::Device device = make_device();
-  const RenderSettings settings = whole_image(scene, 1);
-  const PackedScene packed = pack_scene(scene);
+  const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
   EXPECT_GT(packed.bvh.copies.size(), 100'000U);
-  Renderer renderer(device, packed, find_features(scene, settings), settings);
+  Renderer renderer(device(), packed);
   const std::vector<shared::RayRecord> rays = renderer.camera_rays();
-  RayTracer tracer(device, packed, static_cast<std::uint32_t>(rays.size()));
+  RayTracer tracer(device(), packed, static_cast<std::uint32_t>(rays.size()));
   tracer.set_rays(rays);
   tracer.trace_closest();
   const std::vector<shared::HitRecord> hits = tracer.hits();

@@ -3,7 +3,6 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/renderer.h"
 #include "support/render.h"
 #include "support/scenes.h"
 
@@ -54,9 +53,7 @@ Count by_kernels(int spp) {
 
 Count by_reference(int spp) {
   return [spp](const Scene& scene) {
-    RenderStatistics statistics;
-    const ProgressCallback go_on = [](double, const RenderStatistics&) { return true; };
-    return count_nonzero(reference::render<float>(scene, whole_image(scene, spp), go_on, statistics));
+    return count_nonzero(render_reference(scene, whole_image(scene, spp), Precision::float_));
   };
 }
 

@@ -13,7 +13,7 @@ class Microfacets {
   Microfacets(Real alpha, const bsdf::MicrofacetOptions& options, LobeSampling sampling)
       : alpha_(alpha),
         ggx_(options.distribution == bsdf::Distribution::ggx),
-        exact_(ggx_ || options.masking == bsdf::Masking::exact),
+        exact_(ggx_ || options.masking == Masking::exact),
         visible_(sampling != LobeSampling::ndf) {}
 
   /// D(h) in sr^-1 for a vector h of any length.

@@ -1,6 +1,6 @@
 #pragma once
 // How much light rough microfacets reflect without losing it between each other: tables that the build makes
-// (cmake/make_albedo_table.cpp), for the option `multiscatter`.
+// (cmake/generators/make_albedo_table.cpp), for the option `multiscatter`.
 #include <array>
 
 #include "scene/bsdf/rough.h"

@@ -1,5 +1,7 @@
 #pragma once
 // What the rough BSDFs have in common.
+#include <facet/request.h>
+
 #include "core/maths.h"
 #include "scene/texture/textured.h"
 #include "shared/records.h"
@@ -12,9 +14,6 @@ namespace facet::bsdf {
 
 /// Distribution of the microfacets' normals.
 enum class Distribution { beckmann, ggx };
-/// Smith's masking function of the Beckmann distribution: Walter's rational approximation, or the exact one.
-/// That of GGX is exact and rational at once.
-enum class Masking { rational, exact };
 
 /* Properties of every rough BSDF:
 

@@ -13,8 +13,10 @@ std::string title_of(const pugi::xml_node& object) {
   return type.empty() ? std::string(object.name()) : fmt::format("{} \"{}\"", object.name(), type);
 }
 
-XmlDocument::XmlDocument(std::filesystem::path path) : path_(std::move(path)) {
-  text_ = to_utf8(read_input_file(path_));
+XmlDocument::XmlDocument(std::filesystem::path path) : XmlDocument(path, read_input_file(path)) {}
+
+XmlDocument::XmlDocument(std::filesystem::path path, const std::string& bytes)
+    : path_(std::move(path)), text_(to_utf8(bytes)) {
   for (std::size_t i = 0; i <= text_.size(); ++i) {
     if (i == 0 || text_[i - 1] == '\n') line_starts_.push_back(static_cast<std::ptrdiff_t>(i));
   }

@@ -16,6 +16,8 @@ class XmlDocument {
  public:
   /// Throws InputError, with the line, where the file is missing or not well-formed.
   explicit XmlDocument(std::filesystem::path path);
+  /// From memory; messages name it by the path, and files are looked for beside it.
+  XmlDocument(std::filesystem::path path, const std::string& bytes);
 
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
   [[nodiscard]] SourceLocation location(const pugi::xml_node& node) const;

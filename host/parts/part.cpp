@@ -1,0 +1,224 @@
+#include "parts/part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "image/film.h"
+#include "image/record.h"
+
+namespace facet {
+
+namespace {
+
+constexpr const char* sum_exponent_key = "facet.sumExponent";
+constexpr const char* square_exponent_key = "facet.squareExponent";
+constexpr std::array<const char*, 3> colors{"R", "G", "B"};
+
+using Sums = std::array<double, 3> PixelSums::*;
+
+/// A number as the unevaluated sum of two floats.
+struct Pair {
+  float high = 0;
+  float low = 0;
+
+  explicit Pair(double value) : high(static_cast<float>(value)) {
+    if (std::isfinite(high)) low = static_cast<float>(value - high);
+  }
+  Pair(float h, float l) : high(h), low(l) {}
+  [[nodiscard]] double value() const { return static_cast<double>(high) + low; }
+};
+
+/// The power of two by which the sums are divided so that pairs of floats hold them.
+int choose_exponent(const Film& film, Sums sums) {
+  double largest = 0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const PixelSums& pixel : film.pixels) {
+    for (const double sum : pixel.*sums) {
+      if (!std::isfinite(sum) || sum == 0) continue;
+      largest = std::max(largest, std::abs(sum));
+      smallest = std::min(smallest, std::abs(sum));
+    }
+  }
+  if (largest <= 0x1p126 && smallest >= 0x1p-100) return 0;
+  return std::ilogb(largest) + 1 - 127;
+}
+
+/// The planes of a pair's channels within an image.
+class PairPlanes {
+ public:
+  /// Adds the channels' names to the list, for an image to be made of it.
+  static void name(std::vector<std::string>& channels, const std::string& channel, bool high_is_there) {
+    if (!high_is_there) channels.push_back(channel);
+    channels.push_back(channel + ".low");
+  }
+  PairPlanes(const Image& image, const std::string& channel, const std::string& file)
+      : high_(find(image, channel, file)), low_(find(image, channel + ".low", file)) {}
+
+  void set(Image& image, std::size_t i, const Pair& pair) const {
+    image.plane(high_)[i] = pair.high;
+    image.plane(low_)[i] = pair.low;
+  }
+  [[nodiscard]] double get(const Image& image, std::size_t i) const {
+    return Pair(image.plane(high_)[i], image.plane(low_)[i]).value();
+  }
+
+ private:
+  static int find(const Image& image, const std::string& channel, const std::string& file) {
+    const int index = image.find_channel(channel);
+    if (index < 0) throw InputError(fmt::format("{}: lacks the channel {} of a part", file, channel));
+    return index;
+  }
+  int high_;
+  int low_;
+};
+
+void round_to_pairs(Film& film, Sums sums, int exponent) {
+  for (PixelSums& pixel : film.pixels) {
+    for (double& sum : pixel.*sums) sum = std::ldexp(Pair(std::ldexp(sum, -exponent)).value(), exponent);
+  }
+}
+
+void write_sums(Image& image, const Film& film, Sums sums, const std::string& prefix, int exponent) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const PairPlanes planes(image, prefix + colors[c], "");
+    for (std::size_t i = 0; i < film.pixels.size(); ++i)
+      planes.set(image, i, Pair(std::ldexp((film.pixels[i].*sums)[c], -exponent)));
+  }
+}
+
+void write_counts(Image& image, const Film& film, std::uint32_t PixelSums::*count,
+                  const std::string& channel) {
+  const PairPlanes planes(image, channel, "");
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) planes.set(image, i, Pair(film.pixels[i].*count));
+}
+
+int read_exponent(const Image& image, const std::string& key, const std::string& file) {
+  const std::string* text = find_metadata(image.metadata, key);
+  const auto exponent = text == nullptr ? std::nullopt : parse_integer(*text);
+  if (!exponent || *exponent < -2000 || *exponent > 2000)
+    throw InputError(fmt::format("{}: lacks the metadata {} of a part", file, key));
+  return static_cast<int>(*exponent);
+}
+
+void read_sums(Film& film, Sums sums, const Image& image, const std::string& prefix, int exponent,
+               const std::string& file) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const PairPlanes planes(image, prefix + colors[c], file);
+    for (std::size_t i = 0; i < film.pixels.size(); ++i)
+      (film.pixels[i].*sums)[c] = std::ldexp(planes.get(image, i), exponent);
+  }
+}
+
+/// Throws InputError about a pixel of a file that was changed after the render, or never was one.
+[[noreturn]] void fail_at(const Film& film, std::size_t i, const std::string& file, const std::string& what) {
+  const auto width = static_cast<std::size_t>(film.width);
+  throw InputError(fmt::format("{}: damaged, or changed after it was rendered: pixel ({}, {}) {}", file,
+                               i % width, i / width, what));
+}
+
+void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& image, const std::string& channel,
+                 std::uint32_t most, const std::string& file) {
+  const PairPlanes planes(image, channel, file);
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    const double count = planes.get(image, i);
+    if (!(count >= 0 && count <= most && count == std::floor(count)))
+      fail_at(film, i, file, fmt::format("has {} in {}, but there are {} samples", count, channel, most));
+    film.pixels[i].*counts = static_cast<std::uint32_t>(count);
+  }
+}
+
+void check_nonzero(const Film& film, const std::string& file) {
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    const PixelSums& pixel = film.pixels[i];
+    if (pixel.nonzero <= pixel.samples) continue;
+    fail_at(film, i, file,
+            fmt::format("has {} samples, but {} of them are not zero", pixel.samples, pixel.nonzero));
+  }
+}
+
+/// Means follow from sums: a file that another program has changed or stored with less precision is found.
+void check_means(const Film& film, const Image& image, const std::string& file) {
+  const Image means = develop(film, false);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int channel = image.find_channel(colors[c]);
+    if (channel < 0) throw InputError(fmt::format("{}: lacks the channel {}", file, colors[c]));
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+      const float told = image.plane(channel)[i];
+      const float mean = means.plane(static_cast<int>(c))[i];
+      if (told == mean || (std::isnan(told) && std::isnan(mean))) continue;
+      fail_at(film, i, file, fmt::format("has {} = {}, but its sum makes {}", colors[c], told, mean));
+    }
+  }
+}
+
+Image with_channels(const Image& image, const std::vector<std::string>& channels) {
+  Image wider(image.width(), image.height(), channels);
+  wider.window = image.window;
+  wider.metadata = image.metadata;
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  std::copy_n(image.plane(0), pixels * image.channels().size(), wider.plane(0));
+  return wider;
+}
+
+}  // namespace
+
+Image make_part(const Film& film, bool with_variance) {
+  Film kept = film;
+  const int sum_exponent = choose_exponent(film, &PixelSums::values);
+  const int square_exponent = choose_exponent(film, &PixelSums::squares);
+  round_to_pairs(kept, &PixelSums::values, sum_exponent);
+  round_to_pairs(kept, &PixelSums::squares, square_exponent);
+  Image image = develop(kept, with_variance);
+  std::vector<std::string> channels = image.channels();
+  for (const std::string color : colors) PairPlanes::name(channels, "sum." + color, false);
+  if (film.has_squares) {
+    for (const std::string color : colors) PairPlanes::name(channels, "square." + color, false);
+  }
+  PairPlanes::name(channels, "samples", with_variance);
+  PairPlanes::name(channels, "samples.nonzero", with_variance);
+  image = with_channels(image, channels);
+  write_sums(image, kept, &PixelSums::values, "sum.", sum_exponent);
+  image.metadata.emplace_back(sum_exponent_key, fmt::format("{}", sum_exponent));
+  if (film.has_squares) {
+    write_sums(image, kept, &PixelSums::squares, "square.", square_exponent);
+    image.metadata.emplace_back(square_exponent_key, fmt::format("{}", square_exponent));
+  }
+  write_counts(image, kept, &PixelSums::samples, "samples");
+  write_counts(image, kept, &PixelSums::nonzero, "samples.nonzero");
+  return image;
+}
+
+Film film_of_part(const Image& image, std::uint32_t most_samples, const std::string& name) {
+  Film film = make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
+  read_counts(film, &PixelSums::samples, image, "samples", most_samples, name);
+  read_counts(film, &PixelSums::nonzero, image, "samples.nonzero", most_samples, name);
+  check_nonzero(film, name);
+  read_sums(film, &PixelSums::values, image, "sum.", read_exponent(image, sum_exponent_key, name), name);
+  if (film.has_squares) {
+    read_sums(film, &PixelSums::squares, image, "square.", read_exponent(image, square_exponent_key, name),
+              name);
+  }
+  check_means(film, image, name);
+  return film;
+}
+
+void add_samples(Film& film, const Film& more) {
+  film.has_squares = film.has_squares && more.has_squares;
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    PixelSums& sums = film.pixels[i];
+    const PixelSums& added = more.pixels.at(i);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sums.values[c] += added.values[c];
+      sums.squares[c] += added.squares[c];
+    }
+    if (!film.has_squares) sums.squares = {};
+    sums.samples += added.samples;
+    sums.nonzero += added.nonzero;
+  }
+}
+
+}  // namespace facet

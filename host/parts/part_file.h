@@ -1,0 +1,30 @@
+#pragma once
+// EXR files that hold a part of a render: what their headers say, and whether two belong together.
+#include <string>
+
+#include "image/files.h"
+
+namespace facet {
+
+struct PartFile {
+  std::string file;
+  ExrHeader header;
+  RenderRecord record;
+
+  /// Whether it holds sums of squares.
+  [[nodiscard]] bool has_squares() const { return has_channel("square.R"); }
+  [[nodiscard]] bool has_channel(const std::string& name) const;
+  /// Its pixels' sums, with the record. Throws InputError where they are damaged.
+  [[nodiscard]] Film read() const;
+};
+
+/// Reads a part's header. Throws InputError for a file that is no part or whose render was interrupted.
+[[nodiscard]] PartFile open_part(const std::string& file);
+
+/// Throws InputError, which names the difference, unless both files are of one render of the same scene.
+void check_same_render(const PartFile& part, const PartFile& first);
+
+/// Throws InputError if both files hold the same samples.
+void check_disjoint(const PartFile& part, const PartFile& first);
+
+}  // namespace facet

@@ -1,0 +1,91 @@
+#include "report/compare_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace facet::report {
+
+namespace {
+
+/// "12.5 % (40 of 320 pixels)"
+std::string share_text(const ErrorMetrics& e, std::size_t count) {
+  return fmt::format("{:.4g} % ({} of {} pixels)", 100 * e.share(count), count, e.pixels);
+}
+
+}  // namespace
+
+std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparison& c) {
+  const ErrorMetrics& e = c.errors;
+  const ImageWindow& w = c.image.window;
+  std::vector<MetricRow> rows{
+      {"max abs", fmt::format("{:.6g}", e.max_abs),
+       fmt::format("largest difference of a channel, at pixel ({}, {})", e.max_abs_x + w.x,
+                   e.max_abs_y + w.y)},
+      {"RMSE", fmt::format("{:.6g}", e.rmse), "root of the mean squared difference over pixels and channels"},
+      {"relMSE", fmt::format("{:.6g}", e.relmse),
+       fmt::format("mean of (a - r)\u00b2 / (r\u00b2 + \u03b5), \u03b5 = {:.3g}", e.epsilon())},
+      {"relMSE, trimmed", fmt::format("{:.6g}", e.relmse_trimmed),
+       fmt::format("without the largest pixel terms, {} of them", e.trimmed)},
+      {"FLIP", fmt::format("{:.6g}", c.flip.mean),
+       fmt::format("mean, largest {:.4g}; sRGB at exposure 0, {:g} pixels a degree", c.flip.largest,
+                   options.pixels_per_degree)},
+      {"HDR-FLIP", fmt::format("{:.6g}", c.hdr_flip.mean),
+       fmt::format("mean, largest {:.4g}; {} exposures from {:.2f} to {:.2f} stops", c.hdr_flip.largest,
+                   c.hdr_flip.exposures, c.hdr_flip.start_exposure, c.hdr_flip.stop_exposure)},
+      {"bit-identical", share_text(e, e.identical), "R, G and B equal in all bits"},
+      {"beyond tolerance", share_text(e, e.beyond),
+       fmt::format("|a - r| > {:g} (|r| + {:.3g}) in a channel", options.tolerance,
+                   0.01 * std::abs(e.mean_luminance))},
+  };
+  if (e.nonfinite > 0)
+    rows.push_back({"not finite", share_text(e, e.nonfinite), "left out of all errors above"});
+  if (c.z_test) {
+    rows.push_back({"z-test", c.z_test->passed() ? "holds" : "does not hold",
+                    fmt::format("significance {:g}: {}", options.significance, c.z_test->describe())});
+  }
+  return rows;
+}
+
+nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comparison& c) {
+  const ErrorMetrics& e = c.errors;
+  const ImageWindow& w = c.image.window;
+  nlohmann::ordered_json json{
+      {"image", options.image},
+      {"reference", options.reference},
+      {"width", c.image.width()},
+      {"height", c.image.height()},
+      {"non_finite",
+       {{"image", e.nonfinite_image}, {"reference", e.nonfinite_reference}, {"either", e.nonfinite}}},
+      {"mean_luminance", e.mean_luminance},
+      {"max_abs", e.max_abs},
+      {"max_abs_pixel", {e.max_abs_x + w.x, e.max_abs_y + w.y}},
+      {"rmse", e.rmse},
+      {"relmse", e.relmse},
+      {"relmse_trimmed", e.relmse_trimmed},
+      {"trimmed_pixels", e.trimmed},
+      {"flip", {{"mean", c.flip.mean}, {"largest", c.flip.largest}}},
+      {"hdr_flip",
+       {{"mean", c.hdr_flip.mean},
+        {"largest", c.hdr_flip.largest},
+        {"start_exposure", c.hdr_flip.start_exposure},
+        {"stop_exposure", c.hdr_flip.stop_exposure},
+        {"exposures", c.hdr_flip.exposures}}},
+      {"pixels_per_degree", options.pixels_per_degree},
+      {"identical", {{"pixels", e.identical}, {"share", e.share(e.identical)}}},
+      {"beyond", {{"tolerance", options.tolerance}, {"pixels", e.beyond}, {"share", e.share(e.beyond)}}},
+      {"z_test", nullptr},
+      {"warnings", c.warnings},
+      {"violations", c.violations},
+  };
+  if (c.z_test) {
+    json["z_test"] = {{"passed", c.z_test->passed()},     {"significance", options.significance},
+                      {"largest_z", c.z_test->largest_z}, {"critical_z", c.z_test->critical_z},
+                      {"tests", c.z_test->cells},         {"untestable", c.z_test->untestable},
+                      {"unequal", c.z_test->unequal}};
+  }
+  return json;
+}
+
+}  // namespace facet::report

@@ -1,0 +1,13 @@
+#pragma once
+// The files of this folder, embedded.
+#include <string_view>
+
+namespace facet::report::page_text {
+
+extern const std::string_view bench_html;
+extern const std::string_view compare_html;
+extern const std::string_view compare_css;
+extern const std::string_view compare_js;
+extern const std::string_view page_css;
+
+}  // namespace facet::report::page_text

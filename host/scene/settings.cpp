@@ -1,0 +1,140 @@
+#include "scene/settings.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "scene/fingerprint.h"
+#include "scene/reader.h"
+#include "version.h"
+
+namespace facet {
+
+namespace {
+
+template <typename Names>
+[[noreturn]] void fail_unknown(const char* what, const std::string& name, const Names& known) {
+  std::vector<std::string> names;
+  for (const auto& n : known) names.emplace_back(n);
+  throw InputError(fmt::format("{} \"{}\": unknown{}; there are: {}", what, name, did_you_mean(name, names),
+                               fmt::join(names, ", ")));
+}
+
+Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
+  Integrator integrator = scene.integrator;
+  if (request.integrator) {
+    const auto type = find_integrator_type(*request.integrator);
+    if (!type) {
+      std::vector<std::string_view> names;
+      for (const IntegratorType& t : integrator_types()) names.push_back(t.name);
+      fail_unknown("integrator", *request.integrator, names);
+    }
+    integrator.type = *type;
+  }
+  if (integrator.type.name.empty())
+    throw InputError(
+        fmt::format("{}: the scene has no integrator; name one with --integrator", scene.file.string()));
+  if (request.max_depth) {
+    if (*request.max_depth < -1)
+      throw InputError(fmt::format("maximum depth {}: -1 (unlimited) or more expected", *request.max_depth));
+    integrator.max_depth = *request.max_depth;
+  }
+  if (request.heuristic) integrator.heuristic = *request.heuristic;
+  return integrator;
+}
+
+Sampler sampler_of(const Scene& scene, const RenderRequest& request) {
+  if (!request.sampler) return scene.sampler;
+  const auto sampler = find_sampler(*request.sampler);
+  if (!sampler) fail_unknown("sampler", *request.sampler, sampler_names);
+  return *sampler;
+}
+
+Crop crop_of(const ImageSize& size, const RenderRequest& request) {
+  if (request.crop && request.pixel) throw InputError("--crop and --pixel exclude each other");
+  Crop c{0, 0, size.width, size.height};
+  std::string asked;
+  if (request.crop) {
+    c = *request.crop;
+    asked = fmt::format("--crop {},{},{},{}", c.x0, c.y0, c.x1, c.y1);
+  } else if (request.pixel) {
+    const auto [x, y] = *request.pixel;
+    c = {x, y, x + 1, y + 1};
+    asked = fmt::format("--pixel {},{}", x, y);
+  }
+  if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > size.width || c.y1 > size.height)
+    throw InputError(
+        fmt::format("{} lies outside the image of {}x{} pixels or is empty", asked, size.width, size.height));
+  return c;
+}
+
+SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
+  constexpr std::uint32_t most = 1U << 30U;
+  if (request.sample_range) {
+    const SampleRange& range = *request.sample_range;
+    if (range.begin >= range.end || range.end > most)
+      throw InputError(fmt::format("--sample-range {}:{}: empty or too large", range.begin, range.end));
+    return range;
+  }
+  const int count = request.samples.value_or(scene.sample_count);
+  if (count < 1 || count > static_cast<int>(most))
+    throw InputError(fmt::format("{} samples a pixel: 1 to {} expected", count, most));
+  return {0, static_cast<std::uint32_t>(count)};
+}
+
+}  // namespace
+
+RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
+  RenderSettings s;
+  s.integrator = integrator_of(scene, request);
+  s.sampler = sampler_of(scene, request);
+  s.size = request.size.value_or(ImageSize{scene.camera.width, scene.camera.height});
+  check_image_size(s.size.width, s.size.height);
+  s.crop = crop_of(s.size, request);
+  s.samples = samples_of(scene, request);
+  s.seed = request.seed.value_or(scene.seed);
+  s.emitter_selection = request.emitter_selection;
+  s.masking = request.masking;
+  s.sampling = request.sampling;
+  s.variance = request.variance;
+  return s;
+}
+
+Camera camera_of(const Scene& scene, const RenderSettings& settings) {
+  Camera camera = scene.camera;
+  camera.width = settings.size.width;
+  camera.height = settings.size.height;
+  return camera;
+}
+
+std::vector<Bsdf> bsdfs_of(const Scene& scene, const RenderSettings& settings) {
+  std::vector<Bsdf> bsdfs = scene.bsdfs;
+  if (!settings.masking) return bsdfs;
+  for (Bsdf& bsdf : bsdfs) {
+    std::visit(
+        [&](auto& b) {
+          if constexpr (requires { b.options; }) b.options.masking = *settings.masking;
+        },
+        bsdf);
+  }
+  return bsdfs;
+}
+
+RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
+  RenderRecord r;
+  r.version = FACET_VERSION;
+  r.scene = scene.file.string();
+  r.integrator = settings.integrator.type.name;
+  r.sampler = name_of(settings.sampler);
+  r.sampling = settings.sampling;
+  r.samples.add(settings.samples);
+  r.seed = settings.seed;
+  r.max_depth = settings.integrator.interaction_limit();
+  r.heuristic = settings.integrator.heuristic;
+  r.emitter_selection = settings.emitter_selection;
+  r.masking = settings.masking;
+  r.filter = describe(scene.camera.filter);
+  r.fingerprint = fingerprint(scene);
+  return r;
+}
+
+}  // namespace facet

@@ -1,0 +1,67 @@
+#pragma once
+// Who renders: kernels on a Vulkan device, or the reference on the CPU.
+#include <facet/film.h>
+#include <facet/scene.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace facet {
+
+/// Linear radiance (R, G, B) in W sr^-1 m^-2.
+using Radiance = std::array<float, 3>;
+
+/// One render on its way.
+class Rendering {
+ public:
+  Rendering() = default;
+  virtual ~Rendering() = default;
+  Rendering(const Rendering&) = delete;
+  Rendering& operator=(const Rendering&) = delete;
+
+  /// Renders all samples that were asked for, or as many as `progress` lets it. To be called once.
+  virtual void run(const ProgressCallback& progress) = 0;
+
+  /// One sample of every pixel of the crop, row by row: what the integrator estimates with the numbers of
+  /// that sample, before the reconstruction filter's weight. Not for renderings that are run.
+  [[nodiscard]] virtual std::vector<Radiance> sample(std::uint32_t index) = 0;
+
+  /// The film so far.
+  [[nodiscard]] virtual Film film() const = 0;
+  [[nodiscard]] virtual const RenderStatistics& statistics() const = 0;
+};
+
+class Backend {
+ public:
+  Backend() = default;
+  virtual ~Backend() = default;
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+
+  /// For people: the device's name, or "CPU reference in float".
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// The device's driver, or "none".
+  [[nodiscard]] virtual std::string driver() const = 0;
+  /// What Vulkan's validation layers have said so far, a line each.
+  [[nodiscard]] virtual std::vector<std::string> validation_messages() const { return {}; }
+
+  /// Gets everything ready: packing, uploading and compiling. Throws Error for a request that does not fit
+  /// the scene, and for a scene that does not fit the device. The backend must outlive the rendering.
+  [[nodiscard]] virtual std::unique_ptr<Rendering> start(const ScenePtr& scene,
+                                                         const RenderRequest& request) = 0;
+
+  /// Starts and runs a render; returns its film.
+  [[nodiscard]] Film render(const ScenePtr& scene, const RenderRequest& request = {});
+};
+
+struct BackendOptions {
+  std::string device = {};                  ///< of Vulkan: an index or part of a name; empty: the best
+  std::optional<Precision> reference = {};  ///< the reference in this precision, and no device
+  bool validate = false;                    ///< turn Vulkan's validation layers on
+};
+
+/// Throws Error where there is no such device, or none that is usable.
+[[nodiscard]] std::unique_ptr<Backend> open_backend(const BackendOptions& options = {});
+
+}  // namespace facet

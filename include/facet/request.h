@@ -1,0 +1,85 @@
+#pragma once
+// What a caller asks of a render beyond what the scene says.
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facet {
+
+/// Pixels [x0, x1) x [y0, y1) of the image; (0, 0) is the upper left corner.
+struct Crop {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// Samples [begin, end) of every pixel.
+struct SampleRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+/// Width and height of an image in pixels.
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// How the two estimates of direct light are weighted (E. Veach, "Robust Monte Carlo Methods for Light
+/// Transport Simulation", 1997, 9.2).
+enum class Heuristic { balance, power };
+
+/// How the emitter of a light sample is chosen.
+enum class EmitterSelection { uniform, power };
+
+/// Smith's masking function of Beckmann's distribution: its exact form, or the rational approximation of
+/// B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
+enum class Masking : std::uint8_t { rational, exact };
+
+/// How directions are sampled: half vectors of rough lobes from the distribution of normals or from the
+/// normals that the viewer sees; or, by the reference alone, every BSDF by the uniform hemisphere (of what
+/// transmits, the sphere), which needs none of the BSDFs' sampling code.
+enum class LobeSampling { ndf, visible, uniform };
+
+/// What a render has counted so far.
+struct RenderStatistics {
+  std::uint64_t closest_rays = 0;  ///< rays that looked for their nearest hit
+  std::uint64_t any_rays = 0;      ///< rays that looked for any hit: shadow rays
+  std::uint64_t samples = 0;       ///< finished, over all pixels
+  std::uint64_t bad_samples = 0;   ///< dropped: NaN, infinite or negative
+  std::uint64_t bound_hits = 0;    ///< traversals stopped by their safety bound; the image is wrong there
+  double bvh_seconds = 0;          ///< of building the kernels' BVH
+  double compile_seconds = 0;      ///< of the kernels, by facet and by the driver
+  double render_seconds = 0;
+  std::uint64_t kernel_instructions = 0;  ///< of the compiled kernels, in SPIR-V
+  std::uint64_t device_bytes = 0;         ///< memory on the device
+  std::vector<std::string> features;      ///< what the kernels were compiled for, in words
+};
+
+/// Called after each pass with the share of the work that is done, from 0 to 1; returns whether to go on.
+using ProgressCallback = std::function<bool(double done, const RenderStatistics& statistics)>;
+
+/// Wishes of a caller. What is not set follows the scene.
+struct RenderRequest {
+  std::optional<int> samples = {};               ///< of each pixel
+  std::optional<SampleRange> sample_range = {};  ///< only these of them, for parts that are merged
+  std::optional<std::string> integrator = {};    ///< by its name in the scene language
+  std::optional<std::string> sampler = {};       ///< likewise
+  std::optional<int> max_depth = {};             ///< surface interactions of a path, -1: unlimited
+  std::optional<ImageSize> size = {};            ///< of the whole image
+  std::optional<Crop> crop = {};                 ///< only these pixels
+  std::optional<std::array<int, 2>> pixel = {};  ///< only the pixel x, y; excludes `crop`
+  std::optional<std::uint32_t> seed = {};        ///< another seed gives another estimate
+  std::optional<Heuristic> heuristic = {};
+  std::optional<Masking> masking = {};  ///< of every rough BSDF
+  EmitterSelection emitter_selection = EmitterSelection::power;
+  LobeSampling sampling = LobeSampling::visible;
+  bool variance = false;  ///< keep sums of squares, from which the error can be estimated
+  ProgressCallback progress = {};
+};
+
+}  // namespace facet
