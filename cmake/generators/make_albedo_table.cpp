@@ -1,6 +1,6 @@
-// make_albedo_table OUTPUT: integrates the directional albedo of rough microfacets with F = 1 and writes it
-// as the initialisers of host/scene/bsdf/albedo_table.cpp. E(wo) = mean of G(wi, wo)/G1'(wo) over visible
-// normals, G1' being what normalises them; wi below the horizon counts 0.
+// make_albedo_table OUTPUT: integrates the directional albedo of rough microfacets with F = 1 and
+// writes it as the initialisers of host/scene/bsdf/albedo_table.cpp. E(wo) = mean of G(wi,
+// wo)/G1'(wo) over visible normals, G1' being what normalises them; wi below the horizon counts 0.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -52,7 +52,8 @@ double albedo(double cosine, double alpha, const bsdf::MicrofacetOptions& option
   for (std::size_t i = 0; i < along_u.x.size(); ++i) {
     // Half of v is enough: the lobe is symmetric about the plane of incidence.
     for (std::size_t j = 0; j < along_v.x.size(); ++j) {
-      const Vec3<double> h = microfacets.sample_half_vector(wo, along_u.x[i], along_v.x[j] / 2, probe);
+      const Vec3<double> h =
+          microfacets.sample_half_vector(wo, along_u.x[i], along_v.x[j] / 2, probe);
       const double c = glm::dot(wo, h);
       const Vec3<double> wi = 2 * c * h - wo;
       if (c > 0 && wi.z > 0)

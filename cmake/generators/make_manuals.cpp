@@ -1,8 +1,8 @@
 // Build tool: turns the comments at the heads of plugins into strings and into a page.
 //     make_manuals OUT.cpp OUT.md PICTURES_FOLDER FILE...
-// A manual is a comment that begins a line with "/* NAME, NAME: what it is.", its first sentence being the
-// plugin in one line. What begins with "Record:" is about the program's inside and left out. The plugin's
-// kind is the file's folder, or in host/scene the file itself.
+// A manual is a comment that begins a line with "/* NAME, NAME: what it is.", its first sentence
+// being the plugin in one line. What begins with "Record:" is about the program's inside and left
+// out. The plugin's kind is the file's folder, or in host/scene the file itself.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -72,7 +72,8 @@ std::vector<Manual> manuals_in(const std::filesystem::path& file) {
   static const std::regex name(R"([a-z0-9_]+)");
   const std::string source = read(file);
   std::vector<Manual> manuals;
-  for (std::sregex_iterator i(source.begin(), source.end(), start); i != std::sregex_iterator(); ++i) {
+  for (std::sregex_iterator i(source.begin(), source.end(), start); i != std::sregex_iterator();
+       ++i) {
     const auto begin = static_cast<std::size_t>(i->position() + i->length());
     const std::string text = tidied(source.substr(begin, source.find("*/", begin) - begin));
     const std::string names = i->str(2);
@@ -99,7 +100,8 @@ std::string as_source(const std::vector<Manual>& manuals) {
             ")~~~\", R\"~~~(" + m.text + "\n)~~~\"},\n";
   }
   return text +
-         "}};\n\n}  // namespace\n\nstd::span<const Manual> manuals() { return list; }\n\n}  // namespace "
+         "}};\n\n}  // namespace\n\nstd::span<const Manual> manuals() { return list; }\n\n}  // "
+         "namespace "
          "facet\n";
 }
 
@@ -120,7 +122,8 @@ std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::p
   std::map<std::string, std::vector<const Manual*>> kinds;
   for (const Manual& m : manuals) kinds[m.kind].push_back(&m);
   std::string page =
-      "# Plugins of the scene language\n\nThis page is made from the comments at the heads of the plugins' "
+      "# Plugins of the scene language\n\nThis page is made from the comments at the heads of the "
+      "plugins' "
       "files: change those, then `ninja "
       "plugins_page`. `facet info --plugins NAME` prints the same.\n";
   for (const auto& [kind, list] : kinds) {
@@ -129,8 +132,13 @@ std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::p
       page += "\n### " + joined(m->names, ", ") + "\n\n";
       for (const std::string& name : m->names) {
         if (std::filesystem::exists(pictures / (name + ".png")))
-          page.append("![").append(name).append("](").append(folder).append("/").append(name).append(
-              ".png)\n\n");
+          page.append("![")
+              .append(name)
+              .append("](")
+              .append(folder)
+              .append("/")
+              .append(name)
+              .append(".png)\n\n");
       }
       std::string text = escaped(m->text);
       text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));

@@ -12,8 +12,8 @@ namespace facet {
 namespace {
 
 constexpr std::size_t most_bins = 24;
-/// Levels of inner nodes at most: what cannot be halved by count in those that are left is not split
-/// otherwise, so that no input makes a tree too deep for the kernels' stack.
+/// Levels of inner nodes at most: what cannot be halved by count in those that are left is not
+/// split otherwise, so that no input makes a tree too deep for the kernels' stack.
 constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
 constexpr std::size_t parallel_size = 1U << 16U;
@@ -33,8 +33,9 @@ struct Bounds {
   }
 };
 
-/// Folds ranges of the primitives into one result; in parallel where there are many. The result does not
-/// depend on the order of folding, since it only takes minima, maxima and sums of integers.
+/// Folds ranges of the primitives into one result; in parallel where there are many. The result
+/// does not depend on the order of folding, since it only takes minima, maxima and sums of
+/// integers.
 template <typename Result, typename Fold>
 void fold(std::span<const BvhPrimitive> primitives, Result& result, const Fold& fold_range) {
   if (primitives.size() <= parallel_size) return fold_range(result, primitives);
@@ -153,7 +154,8 @@ class BinaryBuilder {
   /// Returns the subtree's root.
   BinaryBvh::Node build(const Task& task, const Bounds& bounds) {
     if (task.count == 1) return static_cast<BinaryBvh::Node>(task.first) | BinaryBvh::leaf;
-    const Parts parts = part(std::span(bvh_.primitives_).subspan(task.first, task.count), bounds, task.depth);
+    const Parts parts =
+        part(std::span(bvh_.primitives_).subspan(task.first, task.count), bounds, task.depth);
     const std::size_t left = parts.first_count;
     const std::array<Task, 2> sides{
         {{task.inner + 1, task.first, left, task.depth + 1},
@@ -168,7 +170,8 @@ class BinaryBuilder {
       build_side(0, 1);
       build_side(1, 2);
     }
-    bvh_.inner_[task.inner] = {to_vec3(bounds.box.lower), to_vec3(bounds.box.upper), roots[0], roots[1]};
+    bvh_.inner_[task.inner] = {to_vec3(bounds.box.lower), to_vec3(bounds.box.upper), roots[0],
+                               roots[1]};
     return static_cast<BinaryBvh::Node>(task.inner);
   }
 
@@ -186,7 +189,8 @@ class BinaryBuilder {
     return part_by_count(range, bounds.centres);
   }
 
-  static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale, std::size_t bins) {
+  static Split find_split(std::span<const BvhPrimitive> range, const BinScale& scale,
+                          std::size_t bins) {
     BinSet set(bins);
     fold(range, set, [&](BinSet& b, std::span<const BvhPrimitive> part) {
       for (const BvhPrimitive& p : part) {
@@ -204,8 +208,10 @@ class BinaryBuilder {
     return best;
   }
 
-  /// What is left of the split comes first. No branch depends on the side, which nobody could predict.
-  static Parts part_by_bins(std::span<BvhPrimitive> range, const BinScale& scale, const Split& split) {
+  /// What is left of the split comes first. No branch depends on the side, which nobody could
+  /// predict.
+  static Parts part_by_bins(std::span<BvhPrimitive> range, const BinScale& scale,
+                            const Split& split) {
     Parts parts;
     for (std::size_t i = 0; i < range.size(); ++i) {
       const BvhPrimitive p = range[i];
@@ -221,7 +227,8 @@ class BinaryBuilder {
   /// Halves by count along the widest axis of the centres; ties by index keep it deterministic.
   static Parts part_by_count(std::span<BvhPrimitive> range, const Box4& centres) {
     const Float4 extent = centres.upper - centres.lower;
-    const int axis = extent[0] >= extent[1] && extent[0] >= extent[2] ? 0 : (extent[1] >= extent[2] ? 1 : 2);
+    const int axis =
+        extent[0] >= extent[1] && extent[0] >= extent[2] ? 0 : (extent[1] >= extent[2] ? 1 : 2);
     const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
     std::nth_element(range.begin(), middle, range.end(),
                      [axis](const BvhPrimitive& a, const BvhPrimitive& b) {
@@ -235,7 +242,8 @@ class BinaryBuilder {
   static Parts measured(std::span<const BvhPrimitive> range, std::size_t first_count) {
     Parts parts;
     parts.first_count = first_count;
-    for (std::size_t i = 0; i < range.size(); ++i) parts.bounds[i < first_count ? 0 : 1].add(range[i]);
+    for (std::size_t i = 0; i < range.size(); ++i)
+      parts.bounds[i < first_count ? 0 : 1].add(range[i]);
     return parts;
   }
 

@@ -24,7 +24,9 @@ std::uint32_t step_exponent(float extent) {
 }
 
 /// Whole steps that are no more, and no fewer, than so many; 0 to 255.
-std::uint32_t steps_below(double steps) { return static_cast<std::uint32_t>(std::clamp(steps, 0.0, 255.0)); }
+std::uint32_t steps_below(double steps) {
+  return static_cast<std::uint32_t>(std::clamp(steps, 0.0, 255.0));
+}
 std::uint32_t steps_above(double steps) {
   const std::uint32_t below = steps_below(steps);
   return below < 255 && static_cast<double>(below) < steps ? below + 1 : below;
@@ -35,8 +37,8 @@ void set_item(shared::BvhItem& item, const Record& record) {
   item = std::bit_cast<shared::BvhItem>(record);
 }
 
-/// Bits of a name that say which corners a triangle's vertices are; corner k is vertex vertices[k], none if
-/// negative.
+/// Bits of a name that say which corners a triangle's vertices are; corner k is vertex vertices[k],
+/// none if negative.
 std::uint32_t name_bits(const std::array<int, 4>& vertices) {
   std::uint32_t bits = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
@@ -46,9 +48,11 @@ std::uint32_t name_bits(const std::array<int, 4>& vertices) {
 }
 
 /// What item 0 holds.
-constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 1, 0)};
+constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0),
+                                          vec3(0, 1, 0)};
 
-/// Further leaves that dividing boxes may make, each of which takes about 100 bytes with its share of nodes.
+/// Further leaves that dividing boxes may make, each of which takes about 100 bytes with its share
+/// of nodes.
 constexpr std::size_t most_copies = 1U << 22U;
 
 /// Subtrees of fewer wide nodes are one task.
@@ -59,19 +63,27 @@ struct Subtree {
   std::uint32_t levels = 0;
   double visit_cost = 0;  ///< sum of the half areas of nodes and leaves
   double leaf_area = 0;   ///< sum of the half areas of leaves
-  double crowding = 0;    ///< the most leaves that a random ray through one of the nodes' boxes meets
+  double crowding = 0;  ///< the most leaves that a random ray through one of the nodes' boxes meets
 };
 
-/// Collapses the binary hierarchy into nodes of four children with quantised boxes. A subtree's blocks follow
-/// one another, and how many they are is known, so that its parts are made side by side.
+/// Collapses the binary hierarchy into nodes of four children with quantised boxes. A subtree's
+/// blocks follow one another, and how many they are is known, so that its parts are made side by
+/// side.
 class Collapser {
  public:
   Collapser(const BinaryBvh& binary, const LeafBoxes& boxes, std::span<const TrianglePair> pairs,
             std::span<const TriangleCorners> triangles, Bvh& bvh)
-      : binary_(binary), boxes_(boxes), wide_(binary), pairs_(pairs), triangles_(triangles), bvh_(bvh) {}
+      : binary_(binary),
+        boxes_(boxes),
+        wide_(binary),
+        pairs_(pairs),
+        triangles_(triangles),
+        bvh_(bvh) {}
 
   /// The root is a node even if it has one leaf alone.
-  [[nodiscard]] std::size_t node_count() const { return std::max(1U, wide_.node_count(binary_.root())); }
+  [[nodiscard]] std::size_t node_count() const {
+    return std::max(1U, wide_.node_count(binary_.root()));
+  }
 
   /// Returns the whole.
   Subtree collapse() {
@@ -85,20 +97,22 @@ class Collapser {
     set_item(bvh_.items.front(), no_triangle);
     const Subtree whole = collapse(binary_.root(), shared::ROOT_ITEM, 1);
     bvh_.stack_size = whole.levels;
-    bvh_.sah_cost = whole.visit_cost / std::max(1e-30, static_cast<double>(bvh_.bounds.half_area()));
+    bvh_.sah_cost =
+        whole.visit_cost / std::max(1e-30, static_cast<double>(bvh_.bounds.half_area()));
     for (std::size_t i = 0; i < bvh_.copies.size(); ++i)
       bvh_.copies[i].original = bvh_.places[pairs_[boxes_.copies[i]].first] / 2;
     return whole;
   }
 
  private:
-  /// Makes the item a node for binary node `root`, and its descendants in the blocks from `block` on.
+  /// Makes the item a node for binary node `root`, and its descendants in the blocks from `block`
+  /// on.
   Subtree collapse(BinaryBvh::Node root, std::size_t item, std::uint32_t block) {
     const Box box = binary_.box(root);
     Children children = wide_.children_of(root);
     const auto is_inner = [](BinaryBvh::Node child) { return !BinaryBvh::is_leaf(child); };
-    const auto leaves =
-        std::stable_partition(children.nodes.begin(), children.nodes.begin() + children.count, is_inner);
+    const auto leaves = std::stable_partition(children.nodes.begin(),
+                                              children.nodes.begin() + children.count, is_inner);
     const auto inner_count = static_cast<std::uint32_t>(leaves - children.nodes.begin());
     shared::BvhNode node = quantise(box, children);
     node.lower_header.w = block << shared::HEADER_INNER_BITS | inner_count;
@@ -134,7 +148,8 @@ class Collapser {
       result.visit_cost += area;
       result.leaf_area += area;
     }
-    if (box.half_area() > 0) result.crowding = std::max(result.crowding, result.leaf_area / box.half_area());
+    if (box.half_area() > 0)
+      result.crowding = std::max(result.crowding, result.leaf_area / box.half_area());
     return result;
   }
 
@@ -144,7 +159,8 @@ class Collapser {
     std::fill_n(bvh_.pairs.begin() + first, shared::BLOCK_SIZE, shared::PairRecord{});
   }
 
-  /// Makes the item a leaf: a pair of triangles, or one alone. The place of the pair's first leaf is its own.
+  /// Makes the item a leaf: a pair of triangles, or one alone. The place of the pair's first leaf
+  /// is its own.
   void place_leaf(std::uint32_t primitive, std::size_t item) {
     const TrianglePair& pair = pairs_[boxes_.pair_of(primitive)];
     const bool is_copy = primitive >= boxes_.pair_count;
@@ -164,8 +180,8 @@ class Collapser {
       corners[3] = q[pair.apex];
       // Which end of the common edge is which depends on how the two are wound.
       const bool is_after = q[static_cast<std::size_t>(after)] == corners[0];
-      names.name1 =
-          pair.second | name_bits({is_after ? after : before, -1, is_after ? before : after, pair.apex});
+      names.name1 = pair.second | name_bits({is_after ? after : before, -1,
+                                             is_after ? before : after, pair.apex});
       if (!is_copy) bvh_.places[pair.second] = static_cast<std::uint32_t>(2 * item + 1);
     }
     set_item(bvh_.items[item], corners);
@@ -208,9 +224,10 @@ class Collapser {
 /// Refuses a hierarchy of at least so many nodes if they are too many.
 void check_node_count(std::size_t nodes, std::size_t triangles) {
   if (nodes <= shared::LARGEST_BLOCK_COUNT - 1) return;
-  throw InputError(fmt::format(
-      "the scene has {} triangles, too many: their BVH has at least {} nodes, and at most {} are supported",
-      triangles, nodes, shared::LARGEST_BLOCK_COUNT - 1));
+  throw InputError(
+      fmt::format("the scene has {} triangles, too many: their BVH has at least {} nodes, and at "
+                  "most {} are supported",
+                  triangles, nodes, shared::LARGEST_BLOCK_COUNT - 1));
 }
 
 }  // namespace
@@ -228,8 +245,8 @@ TriangleCorners Bvh::triangle(std::uint32_t place) const {
 
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   if (triangles.size() > shared::NAME_INDEX_MASK) {
-    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported", triangles.size(),
-                                 shared::NAME_INDEX_MASK));
+    throw InputError(fmt::format("the scene has {} triangles; at most {} are supported",
+                                 triangles.size(), shared::NAME_INDEX_MASK));
   }
   Bvh bvh;
   if (triangles.empty()) {
@@ -247,7 +264,8 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
   }
   const std::vector<TrianglePair> pairs = pair_triangles(triangles);
   // Every node but the root takes the place of one child, and makes room for at most so many.
-  check_node_count((pairs.size() + shared::BLOCK_SIZE - 3) / (shared::BLOCK_SIZE - 1), triangles.size());
+  check_node_count((pairs.size() + shared::BLOCK_SIZE - 3) / (shared::BLOCK_SIZE - 1),
+                   triangles.size());
   LeafBoxes boxes = make_leaf_boxes(pairs, triangles);
   const BinaryBvh binary(std::move(boxes.primitives));
   Collapser collapser(binary, boxes, pairs, triangles, bvh);
@@ -258,7 +276,8 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
                           static_cast<double>(bvh.node_count) -
                       static_cast<double>(pairs.size());
   if (room < 1) return bvh;
-  boxes = divide_crowded(binary, pairs, triangles, std::min(most_copies, static_cast<std::size_t>(room)));
+  boxes = divide_crowded(binary, pairs, triangles,
+                         std::min(most_copies, static_cast<std::size_t>(room)));
   if (boxes.copies.empty()) return bvh;
   const BinaryBvh divided(std::move(boxes.primitives));
   Bvh second;

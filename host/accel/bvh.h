@@ -1,6 +1,7 @@
 #pragma once
-// The acceleration structure that the kernels traverse: a bounding volume hierarchy of four children a node
-// with quantised boxes, built over triangles by the surface area heuristic on all cores.
+// The acceleration structure that the kernels traverse: a bounding volume hierarchy of four
+// children a node with quantised boxes, built over triangles by the surface area heuristic on all
+// cores.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -22,13 +23,15 @@ struct CopiedLeaf {
 
 struct Bvh {
   UnfilledVector<shared::BvhItem> items;
-  UnfilledVector<shared::PairRecord> pairs;  ///< of each item; names hold the input's indices, meshes are 0
-  UnfilledVector<std::uint32_t> places;      ///< of each triangle of the input: 2 * item + half
-  std::vector<CopiedLeaf> copies;            ///< where triangles are in several leaves
+  UnfilledVector<shared::PairRecord>
+      pairs;  ///< of each item; names hold the input's indices, meshes are 0
+  UnfilledVector<std::uint32_t> places;  ///< of each triangle of the input: 2 * item + half
+  std::vector<CopiedLeaf> copies;        ///< where triangles are in several leaves
   std::size_t node_count = 0;
   std::uint32_t stack_size = 0;  ///< levels of nodes: entries that a traversal needs at most
   Box bounds;
-  double sah_cost = 0;  ///< expected visits of nodes and of leaves by a random ray that hits the root's box
+  double sah_cost =
+      0;  ///< expected visits of nodes and of leaves by a random ray that hits the root's box
 
   [[nodiscard]] shared::BvhNode node(std::size_t item) const {
     return std::bit_cast<shared::BvhNode>(items[item]);
@@ -39,8 +42,8 @@ struct Bvh {
   [[nodiscard]] TriangleCorners triangle(std::uint32_t place) const;
 };
 
-/// Builds the hierarchy; deterministic, whatever the number of threads. Empty input gives a root without
-/// children.
+/// Builds the hierarchy; deterministic, whatever the number of threads. Empty input gives a root
+/// without children.
 [[nodiscard]] Bvh build_bvh(std::span<const TriangleCorners> triangles);
 
 }  // namespace facet

@@ -64,12 +64,13 @@ class Polygon {
   std::size_t count_;
 };
 
-/// Whether one edge of a alone keeps b off it. Almost all neighbours are told apart so, at a tenth of what
-/// clipping takes.
+/// Whether one edge of a alone keeps b off it. Almost all neighbours are told apart so, at a tenth
+/// of what clipping takes.
 bool is_beyond_an_edge(const Polygon& a, const dvec3& normal, const Polygon& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const dvec3 inwards = glm::cross(normal, a[(i + 1) % 3] - a[i]);
-    if (std::all_of(b.begin(), b.end(), [&](const dvec3& p) { return glm::dot(inwards, p - a[i]) <= 0; }))
+    if (std::all_of(b.begin(), b.end(),
+                    [&](const dvec3& p) { return glm::dot(inwards, p - a[i]) <= 0; }))
       return true;
   }
   return false;
@@ -84,7 +85,8 @@ Box inflated(const TriangleCorners& triangle) {
 }
 
 bool overlap(const Box& a, const Box& b) {
-  return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+         glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
 UnfilledVector<BvhPrimitive> primitives_of(const std::vector<TriangleCorners>& triangles) {
@@ -110,8 +112,9 @@ bool coincide(const TriangleCorners& a, const TriangleCorners& b) {
     if (!(std::abs(glm::dot(common.area_vector(), normal)) > least)) return false;
   }
   const double margin = tolerance(std::max(largest_coordinate(a), largest_coordinate(b)));
-  return std::all_of(common.begin(), common.end(),
-                     [&](const dvec3& p) { return std::abs(glm::dot(normal, p - whole[0])) <= margin; });
+  return std::all_of(common.begin(), common.end(), [&](const dvec3& p) {
+    return std::abs(glm::dot(normal, p - whole[0])) <= margin;
+  });
 }
 
 CoincidenceFinder::CoincidenceFinder(std::vector<TriangleCorners> triangles)

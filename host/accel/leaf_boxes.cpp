@@ -12,8 +12,8 @@ namespace {
 
 /// Places with fewer boxes stay as they are.
 constexpr std::size_t least_crowd = 2048;
-/// Boxes for each pair in crowded nodes, at most; twice as many where a traversal could not visit all of a
-/// crowd's.
+/// Boxes for each pair in crowded nodes, at most; twice as many where a traversal could not visit
+/// all of a crowd's.
 constexpr std::size_t most_pieces = 24;
 constexpr std::size_t most_visited = 1U << 14U;
 /// A division is worth while if rays meet less than this share of the boxes afterwards.
@@ -37,9 +37,11 @@ struct Crowd {
     area += piece.box.half_area();
   }
   /// Proportional to the leaves that a random ray meets if all boxes were as large as the bounds.
-  [[nodiscard]] double cost() const { return bounds.half_area() * static_cast<double>(pieces.size()); }
-  /// Time is lost where rays meet many boxes, but images are wrong where they meet more than a traversal can
-  /// visit: a small place with very many counts as much as a large one with many.
+  [[nodiscard]] double cost() const {
+    return bounds.half_area() * static_cast<double>(pieces.size());
+  }
+  /// Time is lost where rays meet many boxes, but images are wrong where they meet more than a
+  /// traversal can visit: a small place with very many counts as much as a large one with many.
   [[nodiscard]] double urgency() const { return cost() * static_cast<double>(pieces.size()); }
 };
 
@@ -84,8 +86,8 @@ double cost_of(const Crowd& crowd, int axis, float plane) {
          sides[1].half_area() * static_cast<double>(counts[1]);
 }
 
-/// The middle, or where that is clearly better a place where many triangles begin or end, such as their
-/// common corner.
+/// The middle, or where that is clearly better a place where many triangles begin or end, such as
+/// their common corner.
 float best_plane(const Crowd& crowd, int axis) {
   const float lower = crowd.bounds.lower[axis];
   const float upper = crowd.bounds.upper[axis];
@@ -100,9 +102,9 @@ float best_plane(const Crowd& crowd, int axis) {
   return best;
 }
 
-/// Adds what of the triangle lies to either side of a plane to the boxes of the two sides, and a margin where
-/// the plane cuts it: as much as intersection tests err, which is relative to the whole triangle, however
-/// small its parts are.
+/// Adds what of the triangle lies to either side of a plane to the boxes of the two sides, and a
+/// margin where the plane cuts it: as much as intersection tests err, which is relative to the
+/// whole triangle, however small its parts are.
 void add_sides(const TriangleCorners& triangle, int axis, float plane, std::array<Box, 2>& sides) {
   const Box whole = bounds_of(triangle);
   const vec3 extent = whole.extent();
@@ -113,7 +115,8 @@ void add_sides(const TriangleCorners& triangle, int axis, float plane, std::arra
     const vec3& to = triangle[(i + 1) % 3];
     if (from[axis] <= plane) sides[0].add(from);
     if (from[axis] >= plane) sides[1].add(from);
-    if ((from[axis] < plane) == (to[axis] < plane) || from[axis] == plane || to[axis] == plane) continue;
+    if ((from[axis] < plane) == (to[axis] < plane) || from[axis] == plane || to[axis] == plane)
+      continue;
     const double share =
         (static_cast<double>(plane) - from[axis]) / (static_cast<double>(to[axis]) - from[axis]);
     const vec3 crossing(dvec3(from) + (dvec3(to) - dvec3(from)) * share);
@@ -189,7 +192,8 @@ class Divider {
 std::vector<double> leaf_areas(const BinaryBvh& binary) {
   std::vector<double> areas(binary.inner_count());
   const auto area_of = [&](BinaryBvh::Node node) {
-    return BinaryBvh::is_leaf(node) ? static_cast<double>(binary.box(node).half_area()) : areas[node];
+    return BinaryBvh::is_leaf(node) ? static_cast<double>(binary.box(node).half_area())
+                                    : areas[node];
   };
   // What lies below a node follows it.
   for (std::size_t i = areas.size(); i-- > 0;) {
@@ -234,7 +238,8 @@ void for_each_crowded(const BinaryBvh& binary, const Found& found) {
 
 }  // namespace
 
-LeafBoxes make_leaf_boxes(std::span<const TrianglePair> pairs, std::span<const TriangleCorners> triangles) {
+LeafBoxes make_leaf_boxes(std::span<const TrianglePair> pairs,
+                          std::span<const TriangleCorners> triangles) {
   LeafBoxes boxes{UnfilledVector<BvhPrimitive>(pairs.size()), pairs.size(), {}};
   parallel_for(pairs.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -9,14 +9,17 @@ namespace facet {
 
 namespace {
 
-/// Slots of the table of edges that a search looks at, at most, so that no input makes it slow: one where
-/// very many triangles share an edge, say.
+/// Slots of the table of edges that a search looks at, at most, so that no input makes it slow: one
+/// where very many triangles share an edge, say.
 constexpr std::size_t most_probes = 32;
 
 /// Edge e of a triangle runs from corner e to the next.
-std::uint8_t next(std::uint8_t corner) { return corner == 2 ? 0 : static_cast<std::uint8_t>(corner + 1); }
+std::uint8_t next(std::uint8_t corner) {
+  return corner == 2 ? 0 : static_cast<std::uint8_t>(corner + 1);
+}
 
-bool is_same_edge(const TriangleCorners& a, std::uint8_t e, const TriangleCorners& b, std::uint8_t f) {
+bool is_same_edge(const TriangleCorners& a, std::uint8_t e, const TriangleCorners& b,
+                  std::uint8_t f) {
   const vec3& a0 = a[e];
   const vec3& a1 = a[next(e)];
   const vec3& b0 = b[f];
@@ -67,12 +70,14 @@ class Joiner {
 
   void join(std::size_t first, std::uint8_t edge, std::size_t second, std::uint8_t other_edge) {
     // The edge is to run from corner 2 of the pair to corner 0.
-    pairs_[first] = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), next(edge),
-                     next(next(other_edge))};
+    pairs_[first] = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second),
+                     next(edge), next(next(other_edge))};
     taken_[first] = taken_[second] = 1;
   }
 
-  [[nodiscard]] float area(std::size_t triangle) const { return bounds_of(triangles_[triangle]).half_area(); }
+  [[nodiscard]] float area(std::size_t triangle) const {
+    return bounds_of(triangles_[triangle]).half_area();
+  }
 
   [[nodiscard]] float joint_area(std::size_t first, std::size_t second) const {
     Box box = bounds_of(triangles_[first]);
@@ -80,8 +85,8 @@ class Joiner {
     return box.half_area();
   }
 
-  /// The others look for the neighbour with which they share the smallest box, in a table of the edges of
-  /// those before them that found none.
+  /// The others look for the neighbour with which they share the smallest box, in a table of the
+  /// edges of those before them that found none.
   void join_by_edges() {
     std::vector<std::uint32_t> left;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -134,10 +139,12 @@ class Joiner {
     const auto hash = [](const vec3& p) {
       std::uint64_t h = 0;
       // 0 is added so that -0 counts as 0.
-      for (int a = 0; a < 3; ++a) h = (h ^ std::bit_cast<std::uint32_t>(p[a] + 0.0F)) * 0x9e3779b97f4a7c15ULL;
+      for (int a = 0; a < 3; ++a)
+        h = (h ^ std::bit_cast<std::uint32_t>(p[a] + 0.0F)) * 0x9e3779b97f4a7c15ULL;
       return h ^ (h >> 32U);
     };
-    const std::uint64_t h = (hash(triangles_[i][e]) + hash(triangles_[i][next(e)])) * 0x9e3779b97f4a7c15ULL;
+    const std::uint64_t h =
+        (hash(triangles_[i][e]) + hash(triangles_[i][next(e)])) * 0x9e3779b97f4a7c15ULL;
     return static_cast<std::size_t>(h >> 20U) & (table_.size() - 1);
   }
 

@@ -18,9 +18,9 @@ inline Box bounds_of(const TriangleCorners& triangle) {
   return box;
 }
 
-/// One or two triangles. With p the vertices of the first and q of the second, corners 0, 1, 2 of the pair
-/// are p[turn], p[turn + 1], p[turn + 2] (modulo 3), and corner 3 is q[apex]; the common edge is that of
-/// corners 2 and 0.
+/// One or two triangles. With p the vertices of the first and q of the second, corners 0, 1, 2 of
+/// the pair are p[turn], p[turn + 1], p[turn + 2] (modulo 3), and corner 3 is q[apex]; the common
+/// edge is that of corners 2 and 0.
 struct TrianglePair {
   std::uint32_t first = 0;
   std::uint32_t second = none;  ///< none: there is one triangle only
@@ -28,8 +28,8 @@ struct TrianglePair {
   std::uint8_t apex = 0;
 };
 
-/// Joins the triangles: each is in exactly one pair, and the box of two is no larger than their boxes
-/// together. Deterministic, whatever the number of threads.
+/// Joins the triangles: each is in exactly one pair, and the box of two is no larger than their
+/// boxes together. Deterministic, whatever the number of threads.
 [[nodiscard]] std::vector<TrianglePair> pair_triangles(std::span<const TriangleCorners> triangles);
 
 }  // namespace facet

@@ -22,7 +22,9 @@ WideTree::Costs WideTree::plan(BinaryBvh::Node node, BinaryBvh::Node end) {
   const std::array<BinaryBvh::Node, 2> halves{binary_.first(node), binary_.second(node)};
   const std::array<BinaryBvh::Node, 2> ends{BinaryBvh::is_leaf(halves[1]) ? end : halves[1], end};
   std::array<Costs, 2> costs;
-  const auto plan_half = [&](std::size_t h, std::size_t /*end*/) { costs[h] = plan(halves[h], ends[h]); };
+  const auto plan_half = [&](std::size_t h, std::size_t /*end*/) {
+    costs[h] = plan(halves[h], ends[h]);
+  };
   if (end - node > parallel_size) {
     parallel_for(2, 1, plan_half);
   } else {

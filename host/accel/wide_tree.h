@@ -17,9 +17,9 @@ struct Children {
   void add(BinaryBvh::Node node) { nodes[count++] = node; }
 };
 
-/// Chooses them such that the sum of the half areas of the wide nodes, to which the number of those that a
-/// random ray visits is proportional, is the smallest that this binary hierarchy allows (R. Pinto, "Adaptive
-/// Collapsing on Bounding Volume Hierarchies for Ray-Tracing", Eurographics 2010).
+/// Chooses them such that the sum of the half areas of the wide nodes, to which the number of those
+/// that a random ray visits is proportional, is the smallest that this binary hierarchy allows (R.
+/// Pinto, "Adaptive Collapsing on Bounding Volume Hierarchies for Ray-Tracing", Eurographics 2010).
 class WideTree {
  public:
   explicit WideTree(const BinaryBvh& binary);
@@ -43,8 +43,8 @@ class WideTree {
   using Costs = std::array<Cost, most - 1>;
 
   struct Plan {
-    /// How many of at most n children, n being the index plus one, the first half gets; 0: as with one
-    /// fewer. Of four, of the node's own.
+    /// How many of at most n children, n being the index plus one, the first half gets; 0: as with
+    /// one fewer. Of four, of the node's own.
     std::array<std::uint8_t, most> of_first{};
     std::uint32_t node_count = 0;
   };

@@ -58,7 +58,8 @@ class Embree final : public Yardstick {
   Embree(const Embree&) = delete;
   Embree& operator=(const Embree&) = delete;
 
-  void trace_closest(std::span<const RayRecord> rays, Calls calls, std::span<float> distances) override {
+  void trace_closest(std::span<const RayRecord> rays, Calls calls,
+                     std::span<float> distances) override {
     for_each_call(rays, calls, [&](std::size_t i, std::size_t count, RTCIntersectContext& context) {
       if (calls == Calls::single) {
         distances[i] = closest(rays[i], context);
@@ -118,7 +119,8 @@ class Embree final : public Yardstick {
       for (const vec3& corner : packed.bvh.triangle(packed.bvh.places[i])) {
         for (int a = 0; a < 3; ++a) *positions++ = corner[a];
       }
-      for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = static_cast<std::uint32_t>(3 * i + k);
+      for (std::size_t k = 0; k < 3; ++k)
+        indices[3 * i + k] = static_cast<std::uint32_t>(3 * i + k);
     }
     rtcCommitGeometry(geometry);
     return geometry;
@@ -129,7 +131,8 @@ class Embree final : public Yardstick {
     set_ray(ray.ray, r, [](auto& field, auto value) { field = value; });
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &context, &ray);
-    return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : ray.ray.tfar;
+    return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity()
+                                                     : ray.ray.tfar;
   }
 
   char any(const RayRecord& r, RTCIntersectContext& context) const {
@@ -155,7 +158,8 @@ class Embree final : public Yardstick {
     }
   }
 
-  void any8(std::span<const RayRecord> rays, RTCIntersectContext& context, std::span<char> occluded) const {
+  void any8(std::span<const RayRecord> rays, RTCIntersectContext& context,
+            std::span<char> occluded) const {
     alignas(32) std::array<int, packet> valid{};
     RTCRay8 rays8{};
     for (std::size_t k = 0; k < rays.size(); ++k) {

@@ -12,7 +12,8 @@ namespace {
 /// One frame, ready to be rendered again and again.
 class Frame {
  public:
-  Frame(gpu::Device& device, std::size_t emitters, int size, std::uint32_t samples) : device_(device) {
+  Frame(gpu::Device& device, std::size_t emitters, int size, std::uint32_t samples)
+      : device_(device) {
     const Scene scene = generate_scene(10'000, emitters);
     RenderRequest request;
     request.integrator = "direct_mis";
@@ -86,7 +87,8 @@ std::vector<GrowthSeries> measure_growth(gpu::Device& device, const GrowthOption
     emitters.add(count, Frame(device, count, 256, options.quick ? 4 : 16));
   std::vector<GrowthSeries> complete;
   for (Series* series : {&pixels, &samples, &emitters}) {
-    if (const auto measured = series->measure(options.repeats, go_on)) complete.push_back(*measured);
+    if (const auto measured = series->measure(options.repeats, go_on))
+      complete.push_back(*measured);
   }
   return complete;
 }

@@ -9,15 +9,16 @@ namespace facet::bench {
 
 namespace {
 
-/// Patches of equal size: a ball's, one for each side of a cube, and as many again for the floor; two
-/// triangles a cell.
+/// Patches of equal size: a ball's, one for each side of a cube, and as many again for the floor;
+/// two triangles a cell.
 constexpr std::size_t ball_sides = 6;
 constexpr std::size_t floor_shares = 6;
 
 /// Random number of a lattice point in [-1, 1].
 double lattice(int x, int y, int z) {
-  const glm::uvec4 words = shared::pcg4d(
-      {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z), 0U});
+  const glm::uvec4 words =
+      shared::pcg4d({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                     static_cast<std::uint32_t>(z), 0U});
   return static_cast<double>(words.x) * 0x1p-31 - 1;
 }
 
@@ -137,7 +138,8 @@ void add_lights(Scene& scene, std::size_t emitters) {
 Scene generate_scene(std::size_t triangles, std::size_t emitters) {
   Scene scene;
   const double share = static_cast<double>(triangles) / (2 * (ball_sides + floor_shares));
-  const auto cells = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::sqrt(share))));
+  const auto cells =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(std::sqrt(share))));
   scene.meshes = {make_body(cells)};
   scene.bsdfs = {bsdf::Diffuse{}};
   add_lights(scene, emitters);

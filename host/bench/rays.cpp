@@ -61,13 +61,15 @@ class RayMaker {
     const vec3 u = random_numbers(ray, 2);
     if (packed_.emitter_triangles.empty()) return bounce(at, ray + (std::size_t{1} << 31U));
     const auto count = packed_.emitter_triangles.size();
-    const auto chosen = std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
+    const auto chosen =
+        std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
     const shared::EmitterTriangle& triangle = packed_.emitter_triangles[chosen];
     if (!(triangle.density > 0)) return std::nullopt;
     const auto [a, b, c] = packed_.bvh.triangle(triangle.triangle);
     const float root = std::sqrt(u.x);
     const vec3 d = (1 - root) * a + root * (1 - u.y) * b + root * u.y * c - at.position;
-    if (glm::dot(d, at.normal) <= 0 || glm::dot(d, glm::cross(b - a, c - a)) >= 0) return std::nullopt;
+    if (glm::dot(d, at.normal) <= 0 || glm::dot(d, glm::cross(b - a, c - a)) >= 0)
+      return std::nullopt;
     // Ends just before the light.
     return RayRecord{glm::vec4(at.position, 0), glm::vec4(d, 0.9999F)};
   }

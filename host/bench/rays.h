@@ -14,8 +14,9 @@ struct RaySet {
   std::vector<shared::RayRecord> rays;
 };
 
-/// All three kinds. Bounces leave the camera rays' hits by the cosine's density; shadow rays end on emitting
-/// triangles that face them, or go towards the sky. The order is that of the camera's rays.
+/// All three kinds. Bounces leave the camera rays' hits by the cosine's density; shadow rays end on
+/// emitting triangles that face them, or go towards the sky. The order is that of the camera's
+/// rays.
 [[nodiscard]] std::vector<RaySet> make_ray_sets(const PackedScene& packed,
                                                 std::span<const shared::RayRecord> camera_rays,
                                                 std::span<const shared::HitRecord> camera_hits);

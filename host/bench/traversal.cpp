@@ -30,7 +30,8 @@ RenderSettings settings_for(const Scene& scene, std::uint32_t pixels) {
   request.samples = 1;
   request.size = size;
   RenderSettings settings = resolve(scene, request);
-  settings.paths_in_flight = static_cast<std::uint32_t>(size.width) * static_cast<std::uint32_t>(size.height);
+  settings.paths_in_flight =
+      static_cast<std::uint32_t>(size.width) * static_cast<std::uint32_t>(size.height);
   return settings;
 }
 
@@ -100,8 +101,8 @@ class Contest {
     const std::vector<shared::HitRecord> own = tracer_.hits();
     for (std::size_t i = 0; i < own.size(); ++i) {
       const bool missed = own[i].triangle == shared::NONE;
-      const bool same =
-          missed ? std::isinf(distances_[i]) : std::abs(own[i].t - distances_[i]) <= 1e-4F * own[i].t;
+      const bool same = missed ? std::isinf(distances_[i])
+                               : std::abs(own[i].t - distances_[i]) <= 1e-4F * own[i].t;
       equal += same ? 1 : 0;
     }
     return equal;
@@ -117,7 +118,8 @@ class Contest {
 /// Builds both trees afresh in turn. Each was built before.
 BuildRow measure_builds(const PackedScene& packed, Yardstick* yardstick, int repeats) {
   std::vector<TriangleCorners> triangles;
-  for (const std::uint32_t place : packed.bvh.places) triangles.push_back(packed.bvh.triangle(place));
+  for (const std::uint32_t place : packed.bvh.places)
+    triangles.push_back(packed.bvh.triangle(place));
   std::vector<double> own;
   std::vector<double> other;
   for (int round = 0; round < std::min(repeats, 3); ++round) {
@@ -147,7 +149,8 @@ TraversalResult measure_traversal(gpu::Device& device, const std::string& name, 
   tracer.set_rays(camera);
   tracer.trace_closest();
   for (const RaySet& set : make_ray_sets(packed, camera, tracer.hits())) {
-    if (!set.rays.empty()) result.rows.push_back(Contest(tracer, yardstick.get(), set).run(options.repeats));
+    if (!set.rays.empty())
+      result.rows.push_back(Contest(tracer, yardstick.get(), set).run(options.repeats));
   }
   return result;
 }

@@ -22,8 +22,8 @@ struct TraversalRow {
   Figure facet;
   std::optional<Figure> single;   ///< the yardstick's, a ray at a time
   std::optional<Figure> packets;  ///< and by packets of eight
-  /// Share of rays for which both found the same: the same distance to 1e-4 of it, or the same answer. What
-  /// remains hits edges.
+  /// Share of rays for which both found the same: the same distance to 1e-4 of it, or the same
+  /// answer. What remains hits edges.
   double equal_hits = 1;
 
   /// Of the medians; 0 without a yardstick.
@@ -45,10 +45,10 @@ struct TraversalResult {
   std::vector<TraversalRow> rows;
 };
 
-/// Both build their trees in turn, `repeats` times but three at most, and trace every set of rays in turn,
-/// `repeats` times; the first round of each is not counted. Throws InputError where the mesh does not fit the
-/// device.
-[[nodiscard]] TraversalResult measure_traversal(gpu::Device& device, const std::string& name, Scene scene,
-                                                const TraversalOptions& options);
+/// Both build their trees in turn, `repeats` times but three at most, and trace every set of rays
+/// in turn, `repeats` times; the first round of each is not counted. Throws InputError where the
+/// mesh does not fit the device.
+[[nodiscard]] TraversalResult measure_traversal(gpu::Device& device, const std::string& name,
+                                                Scene scene, const TraversalOptions& options);
 
 }  // namespace facet::bench

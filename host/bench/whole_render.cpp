@@ -57,8 +57,8 @@ class Series {
 
 }  // namespace
 
-std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name, const Scene& scene,
-                                      const RenderOptions& options) {
+std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name,
+                                      const Scene& scene, const RenderOptions& options) {
   RenderRequest request;
   request.samples = static_cast<int>(options.samples_per_pixel);
   RenderSettings settings = resolve(scene, request);

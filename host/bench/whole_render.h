@@ -30,9 +30,11 @@ struct RenderOptions {
   bool with_everything = false;  ///< also with kernels from which nothing is left out
 };
 
-/// Renders the scene `repeats` times at its own size, with kernels made for it, and in turn with those that
-/// have everything in if that is wanted: a row each. Throws InputError where it does not fit the device.
+/// Renders the scene `repeats` times at its own size, with kernels made for it, and in turn with
+/// those that have everything in if that is wanted: a row each. Throws InputError where it does not
+/// fit the device.
 [[nodiscard]] std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name,
-                                                    const Scene& scene, const RenderOptions& options);
+                                                    const Scene& scene,
+                                                    const RenderOptions& options);
 
 }  // namespace facet::bench

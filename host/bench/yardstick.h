@@ -21,7 +21,8 @@ class Yardstick {
   virtual void trace_closest(std::span<const shared::RayRecord> rays, Calls calls,
                              std::span<float> distances) = 0;
   /// 1 where something is in the way; not bool, so that threads may write side by side.
-  virtual void trace_any(std::span<const shared::RayRecord> rays, Calls calls, std::span<char> occluded) = 0;
+  virtual void trace_any(std::span<const shared::RayRecord> rays, Calls calls,
+                         std::span<char> occluded) = 0;
 
   /// Builds the tree anew; returns the seconds that it took.
   virtual double build() = 0;

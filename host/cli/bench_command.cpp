@@ -56,8 +56,8 @@ std::size_t parse_count(const std::string& text) {
   if (unit == "M") value *= 1e6;
   const bool known = unit.empty() || unit == "k" || unit == "M";
   if (!known || !(value >= 24 && value <= 3e7))
-    throw InputError(
-        fmt::format("--mesh {}: wanted is a number of triangles from 24 to 30M, such as 70k", text));
+    throw InputError(fmt::format(
+        "--mesh {}: wanted is a number of triangles from 24 to 30M, such as 70k", text));
   return static_cast<std::size_t>(std::llround(value));
 }
 
@@ -118,10 +118,10 @@ class BenchJob {
   }
 
   void render(const std::string& name, const Scene& scene) {
-    for (const bench::RenderRow& row :
-         bench::measure_render(device_, name, scene,
-                               {options_.samples_per_pixel, std::max(1, options_.traversal.repeats / 2),
-                                options_.with_everything})) {
+    for (const bench::RenderRow& row : bench::measure_render(
+             device_, name, scene,
+             {options_.samples_per_pixel, std::max(1, options_.traversal.repeats / 2),
+              options_.with_everything})) {
       report_.renders.push_back(row);
       tell(report::text_of(row));
     }
@@ -157,10 +157,11 @@ void make_quick(const CLI::App& command, BenchOptions& o) {
 void add_bench_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<BenchOptions>();
   BenchOptions& o = *options;
-  CLI::App* command = app.add_subcommand(
-      "bench",
-      "Measure rays and samples per second: of generated meshes, or of scenes and meshes that are named");
-  command->add_option("scenes", o.scenes, "Scene files: rays through their meshes, then whole renders");
+  CLI::App* command = app.add_subcommand("bench",
+                                         "Measure rays and samples per second: of generated "
+                                         "meshes, or of scenes and meshes that are named");
+  command->add_option("scenes", o.scenes,
+                      "Scene files: rays through their meshes, then whole renders");
   command
       ->add_option("--mesh", o.meshes,
                    "Generated meshes by their number of triangles; without scenes: 10k,70k,1M")
@@ -181,11 +182,11 @@ void add_bench_command(CLI::App& app, Action& action) {
                     "Render scenes also with kernels that have every BSDF, emitter and texture in");
   command->add_flag("--growth", o.growth,
                     "Measure how a frame's time grows with pixels, samples and emitters");
-  command->add_flag(
-      "--quick", o.quick,
-      fmt::format("A first look in seconds, with more scatter: --rays {} --repeats {} --spp {}, each unless "
-                  "given; --mesh {} alone; growth in fewer and smaller frames",
-                  quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
+  command->add_flag("--quick", o.quick,
+                    fmt::format("A first look in seconds, with more scatter: --rays {} --repeats "
+                                "{} --spp {}, each unless "
+                                "given; --mesh {} alone; growth in fewer and smaller frames",
+                                quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
   add_device_option(*command, o.device);
   command->add_option("--json", o.json, "Write a report to this file, - for standard output");
   command->add_option("--html", o.html, "Write a page with plots and tables to this file");

@@ -22,8 +22,9 @@ namespace {
 
 /// Columns of a text, whose characters may take several bytes.
 std::size_t columns(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
 }
 
 struct CompareCommand {
@@ -39,7 +40,8 @@ void print_table(const CompareOptions& options, const Comparison& comparison) {
   std::size_t width = 0;
   for (const report::MetricRow& row : rows) width = std::max(width, columns(row.value));
   for (const report::MetricRow& row : rows) {
-    put("  {:<16}  {}{}  {}\n", row.name, row.value, std::string(width - columns(row.value), ' '), row.note);
+    put("  {:<16}  {}{}  {}\n", row.name, row.value, std::string(width - columns(row.value), ' '),
+        row.note);
   }
 }
 
@@ -55,8 +57,9 @@ ExitCode compare(const CompareCommand& command) {
   const Comparison comparison = compare_images(options);
   if (!command.html.empty()) report::write_compare_page(command.html, options, comparison);
   if (!command.json.empty()) {
-    const std::string text = report::comparison_json(options, comparison)
-                                 .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const std::string text =
+        report::comparison_json(options, comparison)
+            .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     write_text(command.json, text + "\n");
   }
   if (command.json != "-") print_table(options, comparison);
@@ -92,8 +95,9 @@ void add_thresholds(CLI::App& command, CompareOptions& o) {
   add("--min-identical", o.min_identical, "Least share of bit-identical pixels", share);
   add("--max-beyond", o.max_beyond, "Share of pixels beyond --tolerance", share);
   command
-      .add_flag("--z-test", o.z_test,
-                "Both images estimate the same expectation; both need the channels of --aov variance")
+      .add_flag(
+          "--z-test", o.z_test,
+          "Both images estimate the same expectation; both need the channels of --aov variance")
       ->group("Thresholds (exit code 1 where one does not hold)");
 }
 
@@ -102,13 +106,16 @@ void add_thresholds(CLI::App& command, CompareOptions& o) {
 void add_compare_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CompareCommand>();
   CompareOptions& o = options->comparison;
-  CLI::App* command = app.add_subcommand("compare", "Measure the error of an image against a reference");
+  CLI::App* command =
+      app.add_subcommand("compare", "Measure the error of an image against a reference");
   command->add_option("image", o.image, "Image, .exr or .png")->required();
-  command->add_option("reference", o.reference, "Reference image of the same size, .exr or .png")->required();
+  command->add_option("reference", o.reference, "Reference image of the same size, .exr or .png")
+      ->required();
   add_thresholds(*command, o);
   command
-      ->add_option("--tolerance", o.tolerance,
-                   "T: a pixel is beyond it if |a - r| > T (|r| + 0.01 mean luminance of r) in a channel")
+      ->add_option(
+          "--tolerance", o.tolerance,
+          "T: a pixel is beyond it if |a - r| > T (|r| + 0.01 mean luminance of r) in a channel")
       ->check(number_between(0, INFINITY, "a number of at least 0"))
       ->capture_default_str();
   command
@@ -117,13 +124,17 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->check(number_between(1e-15, 0.5, "a significance from 1e-15 to 0.5"))
       ->capture_default_str();
   command
-      ->add_option("--ppd", o.pixels_per_degree, "Of FLIP: pixels in a degree of the viewer's visual angle")
+      ->add_option("--ppd", o.pixels_per_degree,
+                   "Of FLIP: pixels in a degree of the viewer's visual angle")
       ->check(number_between(1, 1000, "a number from 1 to 1000"))
       ->capture_default_str();
-  command->add_flag("--trim", o.trim, "--max-relmse bounds the relMSE without the 0.1 % largest pixel terms");
-  command->add_option("--json", options->json, "Write a report to this file, - for standard output");
-  command->add_option("--html", options->html,
-                      "Write a self-contained page that shows images, differences and the worst pixels");
+  command->add_flag("--trim", o.trim,
+                    "--max-relmse bounds the relMSE without the 0.1 % largest pixel terms");
+  command->add_option("--json", options->json,
+                      "Write a report to this file, - for standard output");
+  command->add_option(
+      "--html", options->html,
+      "Write a self-contained page that shows images, differences and the worst pixels");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

@@ -20,8 +20,8 @@ ExitCode list_devices() {
     put("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver,
         VK_API_VERSION_MAJOR(d.api_version), VK_API_VERSION_MINOR(d.api_version),
         VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
-    put("   {}\n",
-        d.lacks.empty() ? "has everything facet needs" : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+    put("   {}\n", d.lacks.empty() ? "has everything facet needs"
+                                   : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
     const std::string cache = gpu::describe_kernel_cache(d.driver);
     if (!cache.empty()) put("   {}\n", cache);
   }

@@ -1,5 +1,5 @@
-// facet info: what a scene holds, and what will be compiled for it; or what of the scene language is
-// supported.
+// facet info: what a scene holds, and what will be compiled for it; or what of the scene language
+// is supported.
 #include <fmt/format.h>
 
 #include <map>
@@ -49,7 +49,8 @@ void print_plugins(const std::string& name) {
     put("{} \"{}\": {}", m.kind, name, m.text);
     return;
   }
-  throw InputError(fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
+  throw InputError(
+      fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
 }
 
 std::string describe(const Mesh& mesh, const Scene& scene) {
@@ -91,10 +92,10 @@ ExitCode print_info(const InfoOptions& options) {
                                bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
                                bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
   const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
-                           bytes_of(packed.environment.columns) + bytes_of(packed.emitter_triangles) +
-                           bytes_of(packed.texels);
-  put("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width, scene.camera.height,
-      scene.sample_count, name_of(scene.sampler),
+                           bytes_of(packed.environment.columns) +
+                           bytes_of(packed.emitter_triangles) + bytes_of(packed.texels);
+  put("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width,
+      scene.camera.height, scene.sample_count, name_of(scene.sampler),
       has_integrator ? scene.integrator.type.name : "no integrator");
   put("meshes: {}, triangles: {} ({} with area)\n", scene.meshes.size(), scene.triangle_count(),
       packed.triangle_count());
@@ -121,7 +122,8 @@ ExitCode print_info(const InfoOptions& options) {
 
 void add_info_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = app.add_subcommand("info", "Show what a scene holds and what will be compiled for it");
+  CLI::App* command =
+      app.add_subcommand("info", "Show what a scene holds and what will be compiled for it");
   command->add_option("scene", options->scene, "Scene file (XML)");
   command->add_flag("--supported", options->supported, "List the plugins of the scene language");
   command

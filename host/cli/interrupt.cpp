@@ -30,7 +30,8 @@ void on_signal(int number) {
 /// Nothing here may allocate or lock: what crashed may have been an allocation.
 void on_crash(int /*number*/) {
   constexpr std::string_view message =
-      "facet: crashed, most likely in the device's driver, which happens when memory is short; files that "
+      "facet: crashed, most likely in the device's driver, which happens when memory is short; "
+      "files that "
       "were there before are as they were\n";
   AtomicFile::remove_unfinished();
   (void)!::write(STDERR_FILENO, message.data(), message.size());

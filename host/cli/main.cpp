@@ -30,7 +30,8 @@ int fail(const std::string& message, ExitCode code) {
 }
 
 /// The message for a command line that cannot be parsed.
-std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
+                          char** argv) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   const std::string first = argc > 1 ? argv[1] : "";
@@ -40,7 +41,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
     return fmt::format("{}; \"facet {}--help\" lists what there is", error.what(),
                        first.empty() ? "" : first + " ");
   }
-  if (std::find(planned_commands.begin(), planned_commands.end(), first) != planned_commands.end()) {
+  if (std::find(planned_commands.begin(), planned_commands.end(), first) !=
+      planned_commands.end()) {
     return fmt::format("the command \"{}\" is not supported yet", first);
   }
   return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
@@ -53,8 +55,10 @@ int with_output_written(int exit_code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("facet: a path tracer in Vulkan compute shaders that proves its images right", "facet");
-  app.set_version_flag("--version", version_text(), "Version, compiler and the Vulkan version needed");
+  CLI::App app("facet: a path tracer in Vulkan compute shaders that proves its images right",
+               "facet");
+  app.set_version_flag("--version", version_text(),
+                       "Version, compiler and the Vulkan version needed");
   app.require_subcommand(1);
   Action action;
   add_render_command(app, action);
@@ -74,11 +78,12 @@ int run(int argc, char** argv) {
   return with_output_written(static_cast<int>(action()));
 }
 
-/// Descriptors 0 to 2 that whoever started the program has closed would go to the next files that are opened,
-/// and messages into these.
+/// Descriptors 0 to 2 that whoever started the program has closed would go to the next files that
+/// are opened, and messages into these.
 void open_standard_streams() {
   for (const int descriptor : {0, 1, 2}) {
-    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY);
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      (void)::open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY);
   }
 }
 
@@ -110,8 +115,9 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
-      return facet::cli::fail("cannot start another thread: a limit of processes or of memory is reached",
-                              facet::cli::ExitCode::device_failed);
+      return facet::cli::fail(
+          "cannot start another thread: a limit of processes or of memory is reached",
+          facet::cli::ExitCode::device_failed);
     return facet::cli::fail(error.what(), facet::cli::ExitCode::device_failed);
   }
 }

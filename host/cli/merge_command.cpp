@@ -45,8 +45,8 @@ class MergeJob {
     film_ = merge(parts_);
     relmse_ = estimate_relmse(film_);
     heavy_tails_ = find_heavy_tails(film_);
-    written_ =
-        write_images(options_.outputs, make_part(film_, wants_variance(options_.aovs)), options_.exposure);
+    written_ = write_images(options_.outputs, make_part(film_, wants_variance(options_.aovs)),
+                            options_.exposure);
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (!options_.quiet) print_summary();
     warn_about_heavy_tails(heavy_tails_);
@@ -113,8 +113,8 @@ class MergeJob {
     const SampleRanges missing = parts_.missing();
     const std::size_t count = parts_.parts.size();
     say("{}: {} part{} of {}x{} pixels, {} samples each ({}{})\n", film_.record.scene, count,
-        count == 1 ? "" : "s", film_.width, film_.height, parts_.samples.count(), parts_.samples.text(),
-        missing.empty() ? "" : "; missing: " + missing.text());
+        count == 1 ? "" : "s", film_.width, film_.height, parts_.samples.count(),
+        parts_.samples.text(), missing.empty() ? "" : "; missing: " + missing.text());
     say("wrote {}\n", fmt::join(written_, " and "));
   }
 
@@ -127,7 +127,9 @@ class MergeJob {
 };
 
 void add_options(CLI::App& command, MergeOptions& o) {
-  command.add_option("parts", o.parts, "EXR files that facet render --sample-range or facet merge wrote")
+  command
+      .add_option("parts", o.parts,
+                  "EXR files that facet render --sample-range or facet merge wrote")
       ->required();
   command
       .add_option("-o,--output", o.outputs,
@@ -136,7 +138,8 @@ void add_options(CLI::App& command, MergeOptions& o) {
       ->allow_extra_args(false);
   command.add_option("--sample-range", o.sample_range,
                      "Refuse unless the parts hold just the samples A:B together (B excluded)");
-  command.add_flag("--allow-gaps", o.allow_gaps, "Merge although samples between the parts are missing");
+  command.add_flag("--allow-gaps", o.allow_gaps,
+                   "Merge although samples between the parts are missing");
   add_aov_option(command, o.aovs);
   add_exposure_option(command, o.exposure);
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
@@ -149,7 +152,8 @@ void add_merge_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<MergeOptions>();
   CLI::App* command = app.add_subcommand("merge", "Join renders of disjoint sample ranges");
   add_options(*command, *options);
-  command->callback([options, &action] { action = [options] { return MergeJob(*options).run(); }; });
+  command->callback(
+      [options, &action] { action = [options] { return MergeJob(*options).run(); }; });
 }
 
 }  // namespace facet::cli

@@ -22,16 +22,16 @@ std::filesystem::path whole_path(const std::filesystem::path& file) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
 }
 
-/// Where the file's folder has gone since the command began, the image goes to the current one. Returns the
-/// path it has.
+/// Where the file's folder has gone since the command began, the image goes to the current one.
+/// Returns the path it has.
 std::string write_image(const std::string& file, const Image& image, float exposure) {
   const std::filesystem::path path(file);
   std::error_code unknown;
   const bool lost = path.has_parent_path() && !std::filesystem::exists(path.parent_path(), unknown);
   const std::string place = lost ? path.filename().string() : file;
   if (lost && std::filesystem::exists(place, unknown))
-    throw InputError(
-        fmt::format("{}: cannot write: no such folder any more, and {} is in the current one", file, place));
+    throw InputError(fmt::format(
+        "{}: cannot write: no such folder any more, and {} is in the current one", file, place));
   facet::write_image(place, image, {.exposure = exposure});
   if (lost) say("warning: {}: no such folder any more; the image is in {}\n", file, place);
   return place;
@@ -55,7 +55,9 @@ bool wants_variance(const std::vector<std::string>& aovs) {
 void add_exposure_option(CLI::App& command, float& exposure) {
   command.add_option("--exposure", exposure, "Stops by which PNG images are brightened")
       ->check(CLI::Range(-100.F, 100.F))
-      ->check([](const std::string& text) { return parse_real(text) ? std::string() : "must be a number"; });
+      ->check([](const std::string& text) {
+        return parse_real(text) ? std::string() : "must be a number";
+      });
 }
 
 void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others) {
@@ -91,8 +93,8 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
   if (std::max(width, height) <= largest_png_side) return;
   for (const std::string& file : images) {
     if (is_exr(file)) continue;
-    throw InputError(
-        fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file, largest_png_side));
+    throw InputError(fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file,
+                                 largest_png_side));
   }
 }
 

@@ -22,22 +22,22 @@ void add_aov_option(CLI::App& command, std::vector<std::string>& aovs);
 /// --exposure: stops by which PNG images are brightened.
 void add_exposure_option(CLI::App& command, float& exposure);
 
-/// Throws InputError unless images of these names can be written, each once, and the other files beside them
-/// (reports and pages; empty: none, "-": standard output).
+/// Throws InputError unless images of these names can be written, each once, and the other files
+/// beside them (reports and pages; empty: none, "-": standard output).
 void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others);
 
-/// Throws InputError if one of the outputs (empty: none, "-": standard output) would take the place of a file
-/// that is read.
+/// Throws InputError if one of the outputs (empty: none, "-": standard output) would take the place
+/// of a file that is read.
 void check_no_input_is_written(const std::vector<std::string>& outputs,
                                const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError if one of the images is a PNG and the size is more than a PNG takes.
 void check_png_size(const std::vector<std::string>& images, int width, int height);
 
-/// Writes the image to every file, in the format that its extension names; then throws InputError if one of
-/// them could not be written. Returns where they are: an image whose folder was removed meanwhile is in the
-/// current one.
-[[nodiscard]] std::vector<std::string> write_images(const std::vector<std::string>& files, const Image& image,
-                                                    float exposure);
+/// Writes the image to every file, in the format that its extension names; then throws InputError
+/// if one of them could not be written. Returns where they are: an image whose folder was removed
+/// meanwhile is in the current one.
+[[nodiscard]] std::vector<std::string> write_images(const std::vector<std::string>& files,
+                                                    const Image& image, float exposure);
 
 }  // namespace facet::cli

@@ -46,7 +46,8 @@ class ParityJob {
  private:
   void load() {
     Diagnostics diagnostics(options_.strict);
-    scene_ = std::make_shared<const Scene>(read_scene(options_.scene, diagnostics, overridden_by(options_)));
+    scene_ = std::make_shared<const Scene>(
+        read_scene(options_.scene, diagnostics, overridden_by(options_)));
     check_no_input_is_written({options_.json}, diagnostics.inputs());
     RenderRequest request = make_request(options_);
     if (!request.samples) request.samples = default_spp;
@@ -62,17 +63,17 @@ class ParityJob {
     const double samples = static_cast<double>(settings_.crop_width()) * settings_.crop_height() *
                            (settings_.samples.end - settings_.samples.begin);
     if (samples > most_samples)
-      throw InputError(
-          fmt::format("parity: {:.2g} samples are more than {:.2g}; use --crop, --resolution or --spp",
-                      samples, most_samples));
+      throw InputError(fmt::format(
+          "parity: {:.2g} samples are more than {:.2g}; use --crop, --resolution or --spp", samples,
+          most_samples));
   }
 
   void compare() {
     KernelBackend kernels(options_.backend.device, false);
     device_ = kernels.device().info();
     parity::Tolerance tolerance;
-    // Vulkan allows division 2.5 ulp and square roots about 3, where lavapipe rounds correctly: each
-    // perturbation by one ulp then stands for three.
+    // Vulkan allows division 2.5 ulp and square roots about 3, where lavapipe rounds correctly:
+    // each perturbation by one ulp then stands for three.
     if (!kernels.device().is_cpu()) tolerance.spread_factor *= 3;
     const std::unique_ptr<Rendering> rendering = kernels.start(scene_, settings_);
     record_ = rendering->film().record;
@@ -86,7 +87,8 @@ class ParityJob {
     progress.finish();
     failings_ = report_.failings();
     if (const std::uint64_t hits = rendering->statistics().bound_hits; hits > 0)
-      failings_.push_back(fmt::format("{} rays were stopped by the safety bound of traversal", hits));
+      failings_.push_back(
+          fmt::format("{} rays were stopped by the safety bound of traversal", hits));
   }
 
   /// The command that renders one sample again.
@@ -130,7 +132,8 @@ class ParityJob {
         {"sampling", word_of(lobe_sampling_words, record_.sampling)},
         {"complete", !was_interrupted()},
         {"samples", r.samples},
-        {"tolerance", {{"relative", r.tolerance.relative}, {"spread_factor", r.tolerance.spread_factor}}},
+        {"tolerance",
+         {{"relative", r.tolerance.relative}, {"spread_factor", r.tolerance.spread_factor}}},
         {"code",
          {{"identical_samples", r.identical},
           {"identical_pixels", r.identical_pixels},
@@ -149,7 +152,8 @@ class ParityJob {
           {"noise_1024", r.noise_1024},
           {"block_z", r.block_z},
           {"critical_z", r.critical_z}}},
-        {"bad_samples", {{"kernels", r.bad_kernel_samples}, {"reference", r.bad_reference_samples}}},
+        {"bad_samples",
+         {{"kernels", r.bad_kernel_samples}, {"reference", r.bad_reference_samples}}},
         {"diverged", diverged},
         {"suspects", suspects},
         {"failings", failings_},
@@ -167,9 +171,10 @@ class ParityJob {
         word_of(lobe_sampling_words, record_.sampling), r.samples, device_.name);
     put("kernels against reference in float (tolerance {:g} |F| + {:g} s):\n", r.tolerance.relative,
         r.tolerance.spread_factor);
-    put("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n", share(r.identical, r.samples),
-        share(r.identical_pixels, r.pixels));
-    put("  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they agree\n",
+    put("  equal in all bits        {:.2f} % of samples, {:.2f} % of pixels\n",
+        share(r.identical, r.samples), share(r.identical_pixels, r.pixels));
+    put("  relative difference      {:.2g} at the 99.9th percentile, {:.2g} at most where they "
+        "agree\n",
         r.percentile_difference, r.largest_difference);
     put("  within their spread only {} samples; {} have a spread beyond 10 % of themselves\n",
         r.ill_conditioned, r.untestable);
@@ -188,35 +193,42 @@ class ParityJob {
   void print_noise() const {
     const parity::ParityReport& r = report_;
     if (!r.noise_known) {
-      put("  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is unknown\n",
+      put("  RMS difference           {:.2g}, {:.2g} at most; the noise of one sample a pixel is "
+          "unknown\n",
           r.precision_rms, r.largest_precision);
       return;
     }
     put("  RMS difference           {:.2g}, {:.2g} of the noise of 1024 samples; {:.2g} at most\n",
-        r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0, r.largest_precision);
+        r.precision_rms, r.noise_1024 > 0 ? r.precision_rms / r.noise_1024 : 0.0,
+        r.largest_precision);
     put("  means of 16x16 pixels    largest z {:.2f} of {:.2f}\n", r.block_z, r.critical_z);
   }
 
   void print_diverged() const {
     std::vector<parity::DivergedSample> list = report_.diverged;
-    std::stable_sort(list.begin(), list.end(),
-                     [](const auto& a, const auto& b) { return a.turned.empty() > b.turned.empty(); });
+    std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+      return a.turned.empty() > b.turned.empty();
+    });
     for (std::size_t i = 0; i < std::min(list.size(), listed_samples); ++i) {
       const parity::DivergedSample& d = list[i];
-      put("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n", d.x, d.y,
-          d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y, d.reference.z);
+      put("pixel {},{} sample {}: kernels {:.6g} {:.6g} {:.6g}, reference {:.6g} {:.6g} {:.6g}\n",
+          d.x, d.y, d.sample, d.kernels.x, d.kernels.y, d.kernels.z, d.reference.x, d.reference.y,
+          d.reference.z);
       if (d.turned.empty()) {
         put("  UNEXPLAINED; again (and with --backend reference): {}\n", command_for(d));
         put("  decided by least: {}\n", d.nearest);
       }
       for (const std::string& reason : d.reasons) put("  turned: {}\n", reason);
     }
-    if (list.size() > listed_samples) put("and {} more (--json lists all)\n", list.size() - listed_samples);
+    if (list.size() > listed_samples)
+      put("and {} more (--json lists all)\n", list.size() - listed_samples);
     if (report_.suspects.empty()) return;
-    put("what the unexplained samples have in common (1: they all, and no other sample, use it):\n");
+    put("what the unexplained samples have in common (1: they all, and no other sample, use "
+        "it):\n");
     for (std::size_t i = 0; i < std::min(report_.suspects.size(), listed_suspects); ++i) {
       const parity::Suspect& s = report_.suspects[i];
-      put("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing, s.passing);
+      put("  {:.3f}  {} ({} unexplained samples, {} others)\n", s.score, s.part, s.failing,
+          s.passing);
     }
   }
 
@@ -240,7 +252,8 @@ void add_parity_command(CLI::App& app, Action& action) {
   add_scene_options(*command, *options);
   add_device_option(*command, options->backend.device);
   add_sampling_option(*command, options->request.sampling, false);
-  command->callback([options, &action] { action = [options] { return ParityJob(*options).run(); }; });
+  command->callback(
+      [options, &action] { action = [options] { return ParityJob(*options).run(); }; });
 }
 
 }  // namespace facet::cli

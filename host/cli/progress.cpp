@@ -24,7 +24,9 @@ std::string rays_per_second(const RenderStatistics& s) {
 }  // namespace
 
 Progress::Progress(bool quiet, std::function<double()> error_estimate)
-    : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0), error_estimate_(std::move(error_estimate)) {}
+    : quiet_(quiet),
+      terminal_(::isatty(STDERR_FILENO) != 0),
+      error_estimate_(std::move(error_estimate)) {}
 
 void Progress::update(double done, const RenderStatistics& statistics) {
   if (quiet_) return;

@@ -30,7 +30,8 @@ class RenderJob {
   ExitCode run() {
     check_outputs(outcome_.files, {options_.json});
     // Drivers take longer to load than most scenes; what is wrong with the scene is said first.
-    auto opening = std::async(std::launch::async, [&] { return open_backend(options_.backend.options()); });
+    auto opening =
+        std::async(std::launch::async, [&] { return open_backend(options_.backend.options()); });
     load();
     const std::unique_ptr<Backend> backend = opening.get();
     render(*backend);
@@ -42,20 +43,23 @@ class RenderJob {
     print_failings(outcome_.statistics);
     warn_about_heavy_tails(outcome_.heavy_tails);
     if (outcome_.interrupted) return ExitCode::interrupted;
-    return messages.empty() && outcome_.statistics.bound_hits == 0 ? ExitCode::done : ExitCode::check_failed;
+    return messages.empty() && outcome_.statistics.bound_hits == 0 ? ExitCode::done
+                                                                   : ExitCode::check_failed;
   }
 
  private:
   void load() {
     const double start = seconds_since_start();
     Diagnostics diagnostics(options_.strict);
-    scene_ = std::make_shared<const Scene>(read_scene(options_.scene, diagnostics, overridden_by(options_)));
+    scene_ = std::make_shared<const Scene>(
+        read_scene(options_.scene, diagnostics, overridden_by(options_)));
     std::vector<std::string> outputs = outcome_.files;
     outputs.push_back(options_.json);
     check_no_input_is_written(outputs, diagnostics.inputs());
     catch_interrupts();
     request_ = make_request(options_);
-    // Sums of squares serve the variance channels and the error estimates of the report and the progress bar.
+    // Sums of squares serve the variance channels and the error estimates of the report and the
+    // progress bar.
     request_.variance = wants_variance(options_.aovs) || !options_.json.empty() ||
                         (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
     const RenderSettings settings = resolve(*scene_, request_);
@@ -71,9 +75,10 @@ class RenderJob {
 
   void render(Backend& backend) {
     const std::unique_ptr<Rendering> rendering = backend.start(scene_, request_);
-    Progress progress(options_.quiet, request_.variance
-                                          ? [&] { return std::sqrt(estimate_relmse(rendering->film())); }
-                                          : std::function<double()>{});
+    Progress progress(options_.quiet,
+                      request_.variance
+                          ? [&] { return std::sqrt(estimate_relmse(rendering->film())); }
+                          : std::function<double()>{});
     rendering->run([&](double done, const RenderStatistics& statistics) {
       progress.update(done, statistics);
       return !was_interrupted();
@@ -90,7 +95,8 @@ class RenderJob {
     const bool with_variance = wants_variance(options_.aovs);
     // What a part holds does not depend on who looked on.
     film.has_squares = with_variance;
-    outcome_.image = request_.sample_range ? make_part(film, with_variance) : develop(film, with_variance);
+    outcome_.image =
+        request_.sample_range ? make_part(film, with_variance) : develop(film, with_variance);
   }
 
   void write() {
@@ -121,7 +127,8 @@ void add_render_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a scene");
   add_render_options(*command, *options);
-  command->callback([options, &action] { action = [options] { return RenderJob(*options).run(); }; });
+  command->callback(
+      [options, &action] { action = [options] { return RenderJob(*options).run(); }; });
 }
 
 }  // namespace facet::cli

@@ -21,8 +21,10 @@ std::array<int, count> parse_integers(const std::string& text, char separator, c
   std::string_view rest = text;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t end = i + 1 < count ? rest.find(separator) : rest.size();
-    const auto number = end == std::string_view::npos ? std::nullopt : parse_integer(rest.substr(0, end));
-    if (!number || *number < 0) throw InputError(fmt::format("{} \"{}\": {} expected", option, text, form));
+    const auto number =
+        end == std::string_view::npos ? std::nullopt : parse_integer(rest.substr(0, end));
+    if (!number || *number < 0)
+      throw InputError(fmt::format("{} \"{}\": {} expected", option, text, form));
     if (*number > std::numeric_limits<int>::max())
       throw InputError(fmt::format("{} \"{}\": {} is too large", option, text, *number));
     numbers[i] = static_cast<int>(*number);
@@ -35,7 +37,9 @@ std::array<int, count> parse_integers(const std::string& text, char separator, c
 template <typename Words, typename Value>
 CLI::Option* add_words(CLI::App& command, const std::string& name, Value& value, const Words& words,
                        const std::string& help, std::size_t count = Words().size()) {
-  const auto set = [&value, &words](const std::string& word) { value = value_of(words, word).value(); };
+  const auto set = [&value, &words](const std::string& word) {
+    value = value_of(words, word).value();
+  };
   return command.add_option_function<std::string>(name, set, help)
       ->check(CLI::IsMember(names_of(words, count)));
 }
@@ -46,7 +50,8 @@ void add_sampling_option(CLI::App& command, LobeSampling& sampling, bool with_un
   std::string help = "Half vectors of rough lobes: from the ndf, or visible from the viewer";
   if (with_uniform)
     help +=
-        "; uniform: the reference ignores what BSDFs know of sampling and takes the uniform hemisphere (of "
+        "; uniform: the reference ignores what BSDFs know of sampling and takes the uniform "
+        "hemisphere (of "
         "what transmits, the sphere)";
   add_words(command, "--sampling", sampling, lobe_sampling_words, help, with_uniform ? 3 : 2)
       ->default_str("visible");
@@ -70,7 +75,8 @@ void add_scene_options(CLI::App& command, RenderOptions& o) {
   add_words(command, "--heuristic", r.heuristic, heuristic_words, "MIS weights");
   add_words(command, "--emitter-selection", r.emitter_selection, emitter_selection_words,
             "How the emitter of a light sample is chosen");
-  add_words(command, "--masking", r.masking, masking_words, "Masking function of Beckmann's distribution");
+  add_words(command, "--masking", r.masking, masking_words,
+            "Masking function of Beckmann's distribution");
   command.add_option("--json", o.json, "Write a report to this file, - for standard output");
   command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
   command.add_flag("--strict", o.strict, "Warnings are errors");
@@ -80,11 +86,13 @@ void add_render_options(CLI::App& command, RenderOptions& o) {
   add_scene_options(command, o);
   command.get_option("--sample-range")
       ->description(
-          "Render only the samples A:B of each pixel (B excluded); their EXR is a part, which facet "
+          "Render only the samples A:B of each pixel (B excluded); their EXR is a part, which "
+          "facet "
           "merge joins with others");
   command
-      .add_option("-o,--output", o.outputs,
-                  "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
+      .add_option(
+          "-o,--output", o.outputs,
+          "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
       ->allow_extra_args(false);
   add_backend_options(command, o.backend);
   add_sampling_option(command, o.request.sampling, true);

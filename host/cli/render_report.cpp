@@ -33,7 +33,8 @@ nlohmann::ordered_json json_of(const RenderRecord& record) {
   for (const RecordField& field : record_fields()) {
     const auto text = field.json != nullptr ? field.read(record) : std::nullopt;
     if (!text || std::string_view(field.json) == "scene") continue;
-    json[field.json] = field.numeric ? nlohmann::ordered_json::parse(*text) : nlohmann::ordered_json(*text);
+    json[field.json] =
+        field.numeric ? nlohmann::ordered_json::parse(*text) : nlohmann::ordered_json(*text);
   }
   return json;
 }
@@ -71,8 +72,9 @@ std::string make_json_report(const RenderOutcome& o) {
 
 void print_summary(const RenderOutcome& o) {
   const RenderStatistics& s = o.statistics;
-  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", o.scene, o.record.integrator, o.triangles,
-      o.image.width(), o.image.height(), o.record.samples.count(), o.interrupted ? " (interrupted)" : "");
+  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", o.scene, o.record.integrator,
+      o.triangles, o.image.width(), o.image.height(), o.record.samples.count(),
+      o.interrupted ? " (interrupted)" : "");
   say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.record.device,
       with_unit_prefix(per_second(s, s.samples)) + " ",
       with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());
@@ -84,7 +86,8 @@ void print_failings(const RenderStatistics& s) {
     say("warning: {} samples were dropped: NaN, infinite or negative\n", s.bad_samples);
   }
   if (s.bound_hits > 0) {
-    say("warning: {} rays were stopped by the safety bound of traversal; the image is wrong there\n",
+    say("warning: {} rays were stopped by the safety bound of traversal; the image is wrong "
+        "there\n",
         s.bound_hits);
   }
 }
@@ -94,14 +97,16 @@ void warn_about_heavy_tails(const HeavyTails& tails) {
   std::vector<std::string> worst;
   for (std::size_t i = 0; i < std::min<std::size_t>(tails.worst.size(), 3); ++i)
     worst.push_back(fmt::format("({}, {})", tails.worst[i][0], tails.worst[i][1]));
-  say("warning: the error is larger than its estimate: {} pixels rest on fewer than {:g} of their {} "
+  say("warning: the error is larger than its estimate: {} pixels rest on fewer than {:g} of their "
+      "{} "
       "samples, and carry {:.0f} % of the variance, as {} do\n",
       tails.pixels, HeavyTails::few, tails.samples, std::floor(100 * tails.variance_share),
       fmt::join(worst, ", "));
 }
 
 nlohmann::ordered_json json_of(const HeavyTails& tails) {
-  return {{"pixels", tails.pixels}, {"variance_share", tails.variance_share}, {"worst", tails.worst}};
+  return {
+      {"pixels", tails.pixels}, {"variance_share", tails.variance_share}, {"worst", tails.worst}};
 }
 
 }  // namespace facet::cli

@@ -64,7 +64,8 @@ class TestJob {
   /// Beside the cases' own: validation messages, bounds that were hit; one line each.
   [[nodiscard]] std::vector<std::string> find_faults(const Backend& backend) const {
     std::vector<std::string> list;
-    for (const std::string& message : backend.validation_messages()) list.push_back("validation: " + message);
+    for (const std::string& message : backend.validation_messages())
+      list.push_back("validation: " + message);
     if (std::any_of(cases_.begin(), cases_.end(),
                     [](const report::ReportedCase& c) { return c.result.bound_hits > 0; }))
       list.emplace_back("rays were stopped by the safety bound of traversal");
@@ -84,16 +85,18 @@ class TestJob {
     if (!options_.quiet) say("{}: {} cases on {}\n", file, test.case_count(), backend.name());
     std::size_t number = 0;
     double start = seconds_since_start();
-    nori::run_test(test, backend, options_.sampling, options_.seed, [&](const nori::TestCase& result) {
-      const double end = seconds_since_start();
-      tell({file, result, picture_of(file, ++number, result), end - start});
-      start = end;
-      return !was_interrupted();
-    });
+    nori::run_test(test, backend, options_.sampling, options_.seed,
+                   [&](const nori::TestCase& result) {
+                     const double end = seconds_since_start();
+                     tell({file, result, picture_of(file, ++number, result), end - start});
+                     start = end;
+                     return !was_interrupted();
+                   });
   }
 
   /// Writes the picture of a chi^2 test that failed; returns its path.
-  std::string picture_of(const std::string& file, std::size_t number, const nori::TestCase& result) {
+  std::string picture_of(const std::string& file, std::size_t number,
+                         const nori::TestCase& result) {
     if (result.verdict.passed || !result.histogram) return "";
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = fmt::format("{}-case{}.png", stem, number);
@@ -108,13 +111,15 @@ class TestJob {
     cases_.push_back(std::move(reported));
     if (options_.json == "-") return;
     const report::ReportedCase& last = cases_.back();
-    put("{}{}\n", report::case_line(last), last.picture.empty() ? "" : "; histograms in " + last.picture);
+    put("{}{}\n", report::case_line(last),
+        last.picture.empty() ? "" : "; histograms in " + last.picture);
     std::fflush(stdout);
   }
 
   [[nodiscard]] std::size_t passed() const {
-    return static_cast<std::size_t>(std::count_if(
-        cases_.begin(), cases_.end(), [](const report::ReportedCase& c) { return c.result.verdict.passed; }));
+    return static_cast<std::size_t>(
+        std::count_if(cases_.begin(), cases_.end(),
+                      [](const report::ReportedCase& c) { return c.result.verdict.passed; }));
   }
 
   void write_reports(const std::string& backend) const {
@@ -136,18 +141,20 @@ class TestJob {
 void add_test_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<TestOptions>();
   TestOptions& o = *options;
-  CLI::App* command = app.add_subcommand("test",
-                                         "Run Nori's statistical tests (<test type=\"ttest\">, <test "
-                                         "type=\"chi2test\">); one line a case, exits "
-                                         "1 where one fails");
+  CLI::App* command =
+      app.add_subcommand("test",
+                         "Run Nori's statistical tests (<test type=\"ttest\">, <test "
+                         "type=\"chi2test\">); one line a case, exits "
+                         "1 where one fails");
   command->add_option("files", o.files, "Test files (XML)")->required();
   add_backend_options(*command, o.backend);
   add_sampling_option(*command, o.sampling, false);
   command->add_option("--seed", o.seed, "Seed of the random numbers")->capture_default_str();
   command
-      ->add_option("--pictures", o.pictures,
-                   "Folder for the pictures of failed chi^2 tests: histograms observed, expected, and their "
-                   "difference (red: too many, blue: too few)")
+      ->add_option(
+          "--pictures", o.pictures,
+          "Folder for the pictures of failed chi^2 tests: histograms observed, expected, and their "
+          "difference (red: too many, blue: too few)")
       ->capture_default_str();
   command->add_option("--junit", o.junit, "Write a report in JUnit's XML to this file");
   command->add_option("--json", o.json, "Write a report to this file, - for standard output");

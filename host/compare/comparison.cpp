@@ -13,7 +13,8 @@ namespace {
 constexpr std::array<const char*, 3> variance_channels{"variance.R", "variance.G", "variance.B"};
 
 bool has_variance(const Image& image) {
-  for (const char* name : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"}) {
+  for (const char* name :
+       {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"}) {
     if (image.find_channel(name) < 0) return false;
   }
   return true;
@@ -52,7 +53,8 @@ class Comparing {
     for (const auto& [image, name] :
          {std::pair(&c_.image, &o_.image), std::pair(&c_.reference, &o_.reference)}) {
       if (o_.z_test && !has_variance(*image))
-        throw InputError(fmt::format("{}: --z-test needs the variance channels of --aov variance", *name));
+        throw InputError(
+            fmt::format("{}: --z-test needs the variance channels of --aov variance", *name));
     }
   }
 
@@ -78,17 +80,20 @@ class Comparing {
     const RenderRecord& a = c_.image_record.record;
     const RenderRecord& b = c_.reference_record.record;
     if (!a.scene.empty() && !b.scene.empty() && a.scene != b.scene) {
-      c_.warnings.push_back(fmt::format("the images show different scenes: {} in {}, {} in {}", a.scene,
-                                        o_.image, b.scene, o_.reference));
+      c_.warnings.push_back(fmt::format("the images show different scenes: {} in {}, {} in {}",
+                                        a.scene, o_.image, b.scene, o_.reference));
     }
     if (c_.z_test && !a.scene.empty() && share_samples(a, b))
-      c_.warnings.emplace_back("the images share samples of one seed; the z-test takes them for independent");
+      c_.warnings.emplace_back(
+          "the images share samples of one seed; the z-test takes them for independent");
   }
 
-  void at_most(const char* option, const char* name, double value, const std::optional<double>& bound) {
+  void at_most(const char* option, const char* name, double value,
+               const std::optional<double>& bound) {
     // NaN exceeds every bound.
     if (bound && !(value <= *bound))
-      c_.violations.push_back(fmt::format("{} is {:.6g}, above {} {:g}", name, value, option, *bound));
+      c_.violations.push_back(
+          fmt::format("{} is {:.6g}, above {} {:g}", name, value, option, *bound));
   }
 
   void test() {
@@ -99,14 +104,15 @@ class Comparing {
     }
     at_most("--max-abs", "max abs", e.max_abs, o_.max_abs);
     at_most("--max-rmse", "RMSE", e.rmse, o_.max_rmse);
-    at_most("--max-relmse", o_.trim ? "trimmed relMSE" : "relMSE", o_.trim ? e.relmse_trimmed : e.relmse,
-            o_.max_relmse);
+    at_most("--max-relmse", o_.trim ? "trimmed relMSE" : "relMSE",
+            o_.trim ? e.relmse_trimmed : e.relmse, o_.max_relmse);
     at_most("--max-flip", "FLIP", c_.flip.mean, o_.max_flip);
     at_most("--max-hdrflip", "HDR-FLIP", c_.hdr_flip.mean, o_.max_hdrflip);
     at_most("--max-beyond", "the share beyond the tolerance", e.share(e.beyond), o_.max_beyond);
     if (o_.min_identical && !(e.share(e.identical) >= *o_.min_identical)) {
-      c_.violations.push_back(fmt::format("the bit-identical share is {:.6g}, below --min-identical {:g}",
-                                          e.share(e.identical), *o_.min_identical));
+      c_.violations.push_back(
+          fmt::format("the bit-identical share is {:.6g}, below --min-identical {:g}",
+                      e.share(e.identical), *o_.min_identical));
     }
     if (o_.z_test) test_z();
   }
@@ -114,7 +120,8 @@ class Comparing {
   void test_z() {
     const std::size_t bad = count_bad_variances(c_.image) + count_bad_variances(c_.reference);
     if (bad > 0)
-      c_.violations.push_back(fmt::format("--z-test: pixels whose variance is not finite: {}", bad));
+      c_.violations.push_back(
+          fmt::format("--z-test: pixels whose variance is not finite: {}", bad));
     if (!c_.z_test->passed()) c_.violations.push_back("--z-test: " + c_.z_test->describe());
   }
 

@@ -32,8 +32,8 @@ struct CompareOptions {
 
   /// Whether anything can make the comparison fail.
   [[nodiscard]] bool has_thresholds() const {
-    return max_relmse || max_rmse || max_abs || max_flip || max_hdrflip || min_identical || max_beyond ||
-           z_test;
+    return max_relmse || max_rmse || max_abs || max_flip || max_hdrflip || min_identical ||
+           max_beyond || z_test;
   }
 };
 
@@ -50,8 +50,8 @@ struct Comparison {
   std::vector<std::string> violations;  ///< a line for each threshold that does not hold
 };
 
-/// Reads and measures. Throws InputError for files that cannot be read or compared, and for a z-test without
-/// variance channels.
+/// Reads and measures. Throws InputError for files that cannot be read or compared, and for a
+/// z-test without variance channels.
 [[nodiscard]] Comparison compare_images(const CompareOptions& options);
 
 }  // namespace facet

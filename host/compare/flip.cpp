@@ -20,10 +20,12 @@ class Pair {
   Pair(const Image& image, const Image& reference, double pixels_per_degree)
       : planes_{checked(image, reference, pixels_per_degree), rgb_planes(reference)},
         map_(image.width(), image.height(), pixels_per_degree),
-        finite_(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()), true) {
+        finite_(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()),
+                true) {
     for (const Planes& planes : planes_) {
       for (const float* plane : planes) {
-        for (std::size_t i = 0; i < finite_.size(); ++i) finite_[i] = finite_[i] && std::isfinite(plane[i]);
+        for (std::size_t i = 0; i < finite_.size(); ++i)
+          finite_[i] = finite_[i] && std::isfinite(plane[i]);
       }
     }
   }
@@ -39,9 +41,12 @@ class Pair {
   /// Luminances of the reference, sorted; negative channels and pixels that do not count as 0.
   [[nodiscard]] std::vector<double> sorted_luminances() const {
     std::vector<double> luminances;
-    const auto at = [&](std::size_t c, std::size_t i) { return std::max(0.0, double{planes_[1][c][i]}); };
+    const auto at = [&](std::size_t c, std::size_t i) {
+      return std::max(0.0, double{planes_[1][c][i]});
+    };
     for (std::size_t i = 0; i < finite_.size(); ++i) {
-      if (finite_[i]) luminances.push_back(0.2126 * at(0, i) + 0.7152 * at(1, i) + 0.0722 * at(2, i));
+      if (finite_[i])
+        luminances.push_back(0.2126 * at(0, i) + 0.7152 * at(1, i) + 0.0722 * at(2, i));
     }
     std::sort(luminances.begin(), luminances.end());
     return luminances;
@@ -50,7 +55,8 @@ class Pair {
  private:
   static Planes checked(const Image& image, const Image& reference, double pixels_per_degree) {
     if (!(pixels_per_degree >= 1 && pixels_per_degree <= 1000))
-      throw InputError(fmt::format("FLIP needs 1 to 1000 pixels a degree, not {:g}", pixels_per_degree));
+      throw InputError(
+          fmt::format("FLIP needs 1 to 1000 pixels a degree, not {:g}", pixels_per_degree));
     check_comparable(image, "the image", reference, "the reference");
     return rgb_planes(image);
   }
@@ -73,8 +79,8 @@ class Pair {
   std::vector<bool> finite_;
 };
 
-/// K. Narkowicz's rational fit of the ACES tone curve, with the scale of 0.6 that undoes its exposure: (k0
-/// x^2 + k1 x) / (k3 x^2 + k4 x + k5).
+/// K. Narkowicz's rational fit of the ACES tone curve, with the scale of 0.6 that undoes its
+/// exposure: (k0 x^2 + k1 x) / (k3 x^2 + k4 x + k5).
 struct ToneCurve {
   static constexpr double k0 = 0.36 * 2.51;
   static constexpr double k1 = 0.6 * 0.03;
@@ -117,11 +123,13 @@ void choose_exposures(HdrFlipResult& result, const std::vector<double>& luminanc
     return 0.5 * (first[(n - 1) / 2] + first[n / 2]);
   };
   double median = median_from(luminances.begin());
-  if (median == 0) median = median_from(std::upper_bound(luminances.begin(), luminances.end(), 0.0));
+  if (median == 0)
+    median = median_from(std::upper_bound(luminances.begin(), luminances.end(), 0.0));
   const double bright = ToneCurve::inverse(0.85);
   result.start_exposure = std::log2(bright / luminances.back());
   result.stop_exposure = std::log2(bright / median);
-  result.exposures = std::max(2, static_cast<int>(std::ceil(result.stop_exposure - result.start_exposure)));
+  result.exposures =
+      std::max(2, static_cast<int>(std::ceil(result.stop_exposure - result.start_exposure)));
 }
 
 }  // namespace
@@ -141,7 +149,8 @@ HdrFlipResult hdr_flip(const Image& image, const Image& reference, double pixels
   result.map.assign(pair.finite().size(), 0);
   for (int i = 0; i < result.exposures; ++i) {
     const double exposure =
-        result.start_exposure + i * (result.stop_exposure - result.start_exposure) / (result.exposures - 1);
+        result.start_exposure +
+        i * (result.stop_exposure - result.start_exposure) / (result.exposures - 1);
     const double factor = std::exp2(exposure);
     const Plane map = pair.compare([factor](double x) { return ToneCurve::map(factor * x); });
     std::transform(map.begin(), map.end(), result.map.begin(), result.map.begin(),

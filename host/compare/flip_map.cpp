@@ -40,8 +40,8 @@ const dmat3& rgb_from_xyz() {
   return matrix;
 }
 
-/// Differences of lightness and of red-green and blue-yellow, the form that YCxCz (of XYZ) and L*a*b* (of its
-/// roots) share.
+/// Differences of lightness and of red-green and blue-yellow, the form that YCxCz (of XYZ) and
+/// L*a*b* (of its roots) share.
 dvec3 opponent(const dvec3& v) { return {116 * v.y - 16, 500 * (v.x - v.y), 200 * (v.y - v.z)}; }
 
 dvec3 from_opponent(const dvec3& o) {
@@ -49,29 +49,34 @@ dvec3 from_opponent(const dvec3& o) {
   return {y + o.y / 500, y, y - o.z / 200};
 }
 
-/// CIE L*a*b* of linear colour; its chroma shrunk in the dark, where colours look less colourful (Hunt).
+/// CIE L*a*b* of linear colour; its chroma shrunk in the dark, where colours look less colourful
+/// (Hunt).
 dvec3 hunt_lab(const dvec3& rgb) {
   constexpr double delta = 6.0 / 29;
   dvec3 root = xyz_from_rgb() * rgb;
   for (int c = 0; c < 3; ++c)
-    root[c] = root[c] > delta * delta * delta ? std::cbrt(root[c]) : root[c] / (3 * delta * delta) + 4.0 / 29;
+    root[c] = root[c] > delta * delta * delta ? std::cbrt(root[c])
+                                              : root[c] / (3 * delta * delta) + 4.0 / 29;
   const dvec3 lab = opponent(root);
   return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
 /// Distance in lightness plus Euclidean distance in chroma.
-double hyab(const dvec3& a, const dvec3& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
+double hyab(const dvec3& a, const dvec3& b) {
+  return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+}
 
 /// The exponent that compresses large distances.
 double compress(double distance) { return std::pow(distance, 0.7); }
 
-/// A colour distance in [0, 1]: distances below 0.4 of the largest that a display can show take 0.95 of the
-/// range.
+/// A colour distance in [0, 1]: distances below 0.4 of the largest that a display can show take
+/// 0.95 of the range.
 double colour_difference(double distance) {
   static const double largest = compress(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})));
   const double bend = 0.4 * largest;
   const double d = compress(distance);
-  const double difference = d < bend ? 0.95 / bend * d : 0.95 + 0.05 * (d - bend) / (largest - bend);
+  const double difference =
+      d < bend ? 0.95 / bend * d : 0.95 + 0.05 * (d - bend) / (largest - bend);
   return std::min(difference, 1.0);
 }
 
@@ -108,10 +113,13 @@ std::vector<double> sensitivity(int radius, double b, double pixels_per_degree) 
   });
 }
 
-dvec3 colour_at(const RgbPlanes& planes, std::size_t i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
+dvec3 colour_at(const RgbPlanes& planes, std::size_t i) {
+  return {planes[0][i], planes[1][i], planes[2][i]};
+}
 
 void set_colour(RgbPlanes& planes, std::size_t i, const dvec3& colour) {
-  for (std::size_t c = 0; c < 3; ++c) planes[c][i] = static_cast<float>(colour[static_cast<int>(c)]);
+  for (std::size_t c = 0; c < 3; ++c)
+    planes[c][i] = static_cast<float>(colour[static_cast<int>(c)]);
 }
 
 /// A function of each pixel's colour.
@@ -127,13 +135,14 @@ RgbPlanes map_colours(const RgbPlanes& in, const Function& f) {
 
 }  // namespace
 
-// Weights a and widths b of the sensitivities, and the widths of the feature detectors, are the paper's
-// (table 1, section 4.3).
+// Weights a and widths b of the sensitivities, and the widths of the feature detectors, are the
+// paper's (table 1, section 4.3).
 FlipMap::FlipMap(int width, int height, double pixels_per_degree)
     : width_(static_cast<std::size_t>(width)), height_(static_cast<std::size_t>(height)) {
   constexpr std::array<double, 2> by_a{34.1, 13.5};
   constexpr std::array<double, 2> by_b{0.04, 0.025};
-  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(by_b[0] / (2 * pi * pi)) * pixels_per_degree));
+  const int radius =
+      static_cast<int>(std::ceil(3 * std::sqrt(by_b[0] / (2 * pi * pi)) * pixels_per_degree));
   luminance_ = normalised(sensitivity(radius, 0.0047, pixels_per_degree));
   red_green_ = normalised(sensitivity(radius, 0.0053, pixels_per_degree));
   std::array<double, 2> volume{};
@@ -150,8 +159,8 @@ FlipMap::FlipMap(int width, int height, double pixels_per_degree)
   const auto gaussian = [sigma](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
   smooth_ = normalised(sample(feature_radius, gaussian));
   edge_ = normalised(sample(feature_radius, [&](double x) { return -x * gaussian(x); }));
-  point_ = normalised(
-      sample(feature_radius, [&](double x) { return (x * x / (sigma * sigma) - 1) * gaussian(x); }));
+  point_ = normalised(sample(
+      feature_radius, [&](double x) { return (x * x / (sigma * sigma) - 1) * gaussian(x); }));
 }
 
 /// Convolution with an outer product of kernels; the border's pixels go on outside.
@@ -199,7 +208,8 @@ RgbPlanes FlipMap::to_opponent(const RgbPlanes& rgb) const {
 
 /// What is left of the colours at this distance, in Hunt-adjusted L*a*b*.
 RgbPlanes FlipMap::to_perceived(const RgbPlanes& planes) const {
-  RgbPlanes filtered{filter(planes[0], luminance_, luminance_), filter(planes[1], red_green_, red_green_),
+  RgbPlanes filtered{filter(planes[0], luminance_, luminance_),
+                     filter(planes[1], red_green_, red_green_),
                      filter(planes[2], blue_yellow_[0], blue_yellow_[0])};
   const Plane narrow = filter(planes[2], blue_yellow_[1], blue_yellow_[1]);
   for (std::size_t i = 0; i < narrow.size(); ++i)
@@ -227,7 +237,8 @@ Plane FlipMap::compare(const RgbPlanes& a, const RgbPlanes& b) const {
   Plane result(width_ * height_);
   parallel_for(result.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const double colour = colour_difference(hyab(colour_at(perceived_a, i), colour_at(perceived_b, i)));
+      const double colour =
+          colour_difference(hyab(colour_at(perceived_a, i), colour_at(perceived_b, i)));
       const double feature = std::max(std::abs(features_a.edges[i] - features_b.edges[i]),
                                       std::abs(features_a.points[i] - features_b.points[i]));
       const double exponent = 1 - std::sqrt(std::min(feature * std::numbers::sqrt2 / 2, 1.0));

@@ -26,7 +26,8 @@ class FlipMap {
     Plane points;  ///< length of the second derivatives, likewise
   };
 
-  [[nodiscard]] Plane filter(const Plane& plane, const Kernel& horizontal, const Kernel& vertical) const;
+  [[nodiscard]] Plane filter(const Plane& plane, const Kernel& horizontal,
+                             const Kernel& vertical) const;
   [[nodiscard]] Plane length_of_gradient(const Plane& plane, const Kernel& derivative) const;
   [[nodiscard]] RgbPlanes to_opponent(const RgbPlanes& rgb) const;
   [[nodiscard]] RgbPlanes to_perceived(const RgbPlanes& opponent) const;

@@ -26,12 +26,14 @@ std::string describe_frame(const Image& image) {
 }
 
 bool is_finite(const Planes& planes, std::size_t i) {
-  return std::all_of(planes.begin(), planes.end(), [i](const float* p) { return std::isfinite(p[i]); });
+  return std::all_of(planes.begin(), planes.end(),
+                     [i](const float* p) { return std::isfinite(p[i]); });
 }
 
 bool is_identical(const Planes& a, const Planes& b, std::size_t i) {
   for (std::size_t c = 0; c < 3; ++c) {
-    if (std::bit_cast<std::uint32_t>(a[c][i]) != std::bit_cast<std::uint32_t>(b[c][i])) return false;
+    if (std::bit_cast<std::uint32_t>(a[c][i]) != std::bit_cast<std::uint32_t>(b[c][i]))
+      return false;
   }
   return true;
 }
@@ -51,7 +53,10 @@ double mean_luminance(const Planes& planes, std::size_t pixels) {
 class Measurement {
  public:
   Measurement(const Image& image, const Image& reference, double tolerance)
-      : a_(rgb_planes(image)), r_(rgb_planes(reference)), width_(image.width()), tolerance_(tolerance) {
+      : a_(rgb_planes(image)),
+        r_(rgb_planes(reference)),
+        width_(image.width()),
+        tolerance_(tolerance) {
     m_.pixels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
     m_.mean_luminance = mean_luminance(r_, m_.pixels);
     m_.terms.reserve(m_.pixels);
@@ -92,7 +97,8 @@ class Measurement {
       }
       squares_ += difference * difference;
       if (difference > 0) term += difference * difference / (r * r + m_.epsilon());
-      beyond = beyond || difference > tolerance_ * (std::abs(r) + 0.01 * std::abs(m_.mean_luminance));
+      beyond =
+          beyond || difference > tolerance_ * (std::abs(r) + 0.01 * std::abs(m_.mean_luminance));
     }
     if (beyond) ++m_.beyond;
     m_.terms.push_back(term / 3);
@@ -137,18 +143,20 @@ std::array<const float*, 3> rgb_planes(const Image& image) {
   return planes;
 }
 
-void check_comparable(const Image& a, const std::string& name_a, const Image& b, const std::string& name_b) {
+void check_comparable(const Image& a, const std::string& name_a, const Image& b,
+                      const std::string& name_b) {
   for (const auto& [image, name] : {std::pair(&a, &name_a), std::pair(&b, &name_b)}) {
     for (const char* channel : {"R", "G", "B"}) {
       if (image->find_channel(channel) < 0)
-        throw InputError(fmt::format("{}: has no channel {}; R, G and B are compared", *name, channel));
+        throw InputError(
+            fmt::format("{}: has no channel {}; R, G and B are compared", *name, channel));
     }
   }
   const std::string frame_a = describe_frame(a);
   const std::string frame_b = describe_frame(b);
   if (frame_a != frame_b) {
-    throw InputError(fmt::format("{} is {} pixels, {} is {}: only like regions can be compared", name_a,
-                                 frame_a, name_b, frame_b));
+    throw InputError(fmt::format("{} is {} pixels, {} is {}: only like regions can be compared",
+                                 name_a, frame_a, name_b, frame_b));
   }
 }
 

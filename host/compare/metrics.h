@@ -12,11 +12,13 @@ namespace facet {
 /// The planes R, G and B of an image. Throws InputError where one is missing.
 [[nodiscard]] std::array<const float*, 3> rgb_planes(const Image& image);
 
-/// Throws InputError, with both names and sizes, unless the images have R, G and B, the same size and the
-/// same place in their frame.
-void check_comparable(const Image& a, const std::string& name_a, const Image& b, const std::string& name_b);
+/// Throws InputError, with both names and sizes, unless the images have R, G and B, the same size
+/// and the same place in their frame.
+void check_comparable(const Image& a, const std::string& name_a, const Image& b,
+                      const std::string& name_b);
 
-/// Errors of an image a against a reference r, over the pixels that are finite in both. Sums are in double.
+/// Errors of an image a against a reference r, over the pixels that are finite in both. Sums are in
+/// double.
 struct ErrorMetrics {
   std::size_t pixels = 0;           ///< all of them
   std::size_t nonfinite_image = 0;  ///< pixels with a NaN or infinite channel
@@ -29,27 +31,30 @@ struct ErrorMetrics {
   double rmse = 0;            ///< sqrt of the mean over pixels and channels of (a - r)^2
   double relmse = 0;          ///< mean over pixels and channels of (a - r)^2 / (r^2 + epsilon)
   double relmse_trimmed = 0;  ///< the same without the `trimmed` pixels whose terms are largest
-  std::size_t trimmed = 0;    ///< a thousandth of the finite pixels, rounded up, but never all of them
+  std::size_t trimmed =
+      0;  ///< a thousandth of the finite pixels, rounded up, but never all of them
   std::size_t identical =
-      0;                   ///< pixels whose R, G and B are equal in all bits: NaN equals itself, -0 is not 0
+      0;  ///< pixels whose R, G and B are equal in all bits: NaN equals itself, -0 is not 0
   std::size_t beyond = 0;  ///< pixels beyond the tolerance; those that are not finite are
-  std::vector<double> terms;  ///< each pixel's term of relMSE, rows from the top; NaN where not finite
+  std::vector<double>
+      terms;  ///< each pixel's term of relMSE, rows from the top; NaN where not finite
 
-  /// (0.01 * mean luminance of r)^2. In a black reference it is 0: an equal pixel's term is 0 then, another's
-  /// infinite.
+  /// (0.01 * mean luminance of r)^2. In a black reference it is 0: an equal pixel's term is 0 then,
+  /// another's infinite.
   [[nodiscard]] double epsilon() const { return 1e-4 * mean_luminance * mean_luminance; }
   [[nodiscard]] double share(std::size_t count) const {
     return static_cast<double>(count) / static_cast<double>(pixels);
   }
 };
 
-/// A pixel is beyond the tolerance t if |a - r| > t * (|r| + 0.01 * mean luminance of r) in a channel:
-/// relative, with a floor for dark pixels that follows the reference's scale. With no finite pixel, errors
-/// are NaN.
-[[nodiscard]] ErrorMetrics measure_errors(const Image& image, const Image& reference, double tolerance);
+/// A pixel is beyond the tolerance t if |a - r| > t * (|r| + 0.01 * mean luminance of r) in a
+/// channel: relative, with a floor for dark pixels that follows the reference's scale. With no
+/// finite pixel, errors are NaN.
+[[nodiscard]] ErrorMetrics measure_errors(const Image& image, const Image& reference,
+                                          double tolerance);
 
-/// Indices (y * width + x) of the pixels with the largest terms, largest first, those that are not finite
-/// before all; none whose term is 0.
+/// Indices (y * width + x) of the pixels with the largest terms, largest first, those that are not
+/// finite before all; none whose term is 0.
 [[nodiscard]] std::vector<std::size_t> worst_pixels(const ErrorMetrics& metrics, std::size_t count);
 
 }  // namespace facet

@@ -45,7 +45,8 @@ struct Layers {
   explicit Layers(const Image& i)
       : image(&i),
         value{i.find_channel("R"), i.find_channel("G"), i.find_channel("B")},
-        variance{i.find_channel("variance.R"), i.find_channel("variance.G"), i.find_channel("variance.B")},
+        variance{i.find_channel("variance.R"), i.find_channel("variance.G"),
+                 i.find_channel("variance.B")},
         samples(i.find_channel("samples")),
         nonzero(i.find_channel("samples.nonzero")) {
     if (*std::min_element(value.begin(), value.end()) < 0 ||
@@ -86,21 +87,23 @@ class ZTest {
 
   ZTestResult run(double significance) {
     for (int y = 0; y < a_.image->height(); y += largest_cell) {
-      for (int x = 0; x < a_.image->width(); x += largest_cell) test_cell(x, y, largest_cell, {}, {});
+      for (int x = 0; x < a_.image->width(); x += largest_cell)
+        test_cell(x, y, largest_cell, {}, {});
     }
-    result_.critical_z =
-        statistics::two_sided_normal_quantile(statistics::sidak_significance(significance, result_.cells));
+    result_.critical_z = statistics::two_sided_normal_quantile(
+        statistics::sidak_significance(significance, result_.cells));
     return result_;
   }
 
  private:
   /// Pixels of a cell, which may reach over the image's border.
   [[nodiscard]] int area(int x, int y, int size) const {
-    return (std::min(x + size, a_.image->width()) - x) * (std::min(y + size, a_.image->height()) - y);
+    return (std::min(x + size, a_.image->width()) - x) *
+           (std::min(y + size, a_.image->height()) - y);
   }
 
-  /// Tests a cell in the smallest parts that have enough contributions each. The floors are variances per
-  /// pixel.
+  /// Tests a cell in the smallest parts that have enough contributions each. The floors are
+  /// variances per pixel.
   void test_cell(int x, int y, int size, const Channels& floor_a, const Channels& floor_b) {
     CellSums a = a_.sum(x, y, size);
     CellSums b = b_.sum(x, y, size);
@@ -112,7 +115,8 @@ class ZTest {
       };
       const Channels next_a = share(a.variance);
       const Channels next_b = share(b.variance);
-      for_each_part(x, y, size, [&](int px, int py) { test_cell(px, py, size / 2, next_a, next_b); });
+      for_each_part(x, y, size,
+                    [&](int px, int py) { test_cell(px, py, size / 2, next_a, next_b); });
       return;
     }
     for (std::size_t c = 0; c < 3; ++c) {
@@ -133,15 +137,16 @@ class ZTest {
     }
   }
 
-  /// Whether the cell leaves enough contributions for each part, and each part has them in both images, or is
-  /// black in both.
+  /// Whether the cell leaves enough contributions for each part, and each part has them in both
+  /// images, or is black in both.
   [[nodiscard]] bool can_be_divided(int x, int y, int size, double contributions) const {
     bool divide = true;
     bool any = contributions >= 4 * least_contributions;
     for_each_part(x, y, size, [&](int px, int py) {
       const double a = a_.sum(px, py, size / 2).contributions();
       const double b = b_.sum(px, py, size / 2).contributions();
-      divide = divide && ((a >= least_contributions && b >= least_contributions) || (a == 0 && b == 0));
+      divide =
+          divide && ((a >= least_contributions && b >= least_contributions) || (a == 0 && b == 0));
       any = any || (a == 0 && b == 0);
     });
     return divide && any;
@@ -182,7 +187,8 @@ ZTestResult z_test(const Image& a, const Image& b, double significance) {
 
 std::string ZTestResult::describe() const {
   return fmt::format(
-      "largest z {:.2f} of {:.2f} allowed, at pixel ({}, {}), cell {}x{}; {} tests, {} untestable, {} "
+      "largest z {:.2f} of {:.2f} allowed, at pixel ({}, {}), cell {}x{}; {} tests, {} untestable, "
+      "{} "
       "unequal",
       largest_z, critical_z, worst_x, worst_y, worst_size, worst_size, cells, untestable, unequal);
 }

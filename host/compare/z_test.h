@@ -23,16 +23,17 @@ struct ZTestResult {
   [[nodiscard]] std::string describe() const;
 };
 
-/// z = |a - b| / sqrt(var_a + var_b) per cell and channel against the normal quantile of the two-sided
-/// significance, with Sidak's correction over cells times channels. Where both variances are 0, the values
-/// must be equal. Both images need the variance channels of --aov variance and the same size.
+/// z = |a - b| / sqrt(var_a + var_b) per cell and channel against the normal quantile of the
+/// two-sided significance, with Sidak's correction over cells times channels. Where both variances
+/// are 0, the values must be equal. Both images need the variance channels of --aov variance and
+/// the same size.
 ///
-/// A cell is a pixel, merged up to 16x16 until both images hold at least 30 contributions there, so that the
-/// normal distribution applies. Contributions are counted as L. Kish's effective number (sum x)^2 / sum x^2:
-/// a thousand samples of which one outweighs all others are one contribution. And since a cell may have been
-/// spared the rare bright sample that its neighbours show, cells are divided from above, only as long as the
-/// larger cell's number leaves 30 for each part, and a part's variance counts at least as its share of
-/// the larger cell's.
+/// A cell is a pixel, merged up to 16x16 until both images hold at least 30 contributions there, so
+/// that the normal distribution applies. Contributions are counted as L. Kish's effective number
+/// (sum x)^2 / sum x^2: a thousand samples of which one outweighs all others are one contribution.
+/// And since a cell may have been spared the rare bright sample that its neighbours show, cells are
+/// divided from above, only as long as the larger cell's number leaves 30 for each part, and a
+/// part's variance counts at least as its share of the larger cell's.
 [[nodiscard]] ZTestResult z_test(const Image& a, const Image& b, double significance);
 
 }  // namespace facet

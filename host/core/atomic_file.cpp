@@ -37,7 +37,8 @@ void sweep(const std::filesystem::path& folder) {
     if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
     std::error_code ignored;
     const auto written = std::filesystem::last_write_time(entry->path(), ignored);
-    if (!ignored && now - written > std::chrono::hours(1)) std::filesystem::remove(entry->path(), ignored);
+    if (!ignored && now - written > std::chrono::hours(1))
+      std::filesystem::remove(entry->path(), ignored);
   }
 }
 
@@ -74,12 +75,15 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   in_place_ = std::filesystem::is_other(target_, unknown);
   if (in_place_) return;
   if (target_.filename().string().size() > 255)
-    throw InputError(fmt::format("{}: cannot write: a file's name has 255 bytes at most", target_.string()));
+    throw InputError(
+        fmt::format("{}: cannot write: a file's name has 255 bytes at most", target_.string()));
   descriptor_ = open_new(folder_of(target_), temporary_);
   if (descriptor_ < 0) {
     const int error = errno;
     const bool missing = error == ENOENT || error == ENOTDIR;
-    const char* why = missing ? "no such folder" : error == EACCES ? "no permission" : std::strerror(error);
+    const char* why = missing           ? "no such folder"
+                      : error == EACCES ? "no permission"
+                                        : std::strerror(error);
     throw InputError(fmt::format("{}: cannot write: {}", target_.string(), why));
   }
   unfinished = temporary_.c_str();
@@ -133,14 +137,15 @@ void AtomicFile::seek(std::uint64_t position) {
 void AtomicFile::commit() {
   check();
   // What cannot be synced, as a pipe, says EINVAL.
-  if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+  if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
+    fail(errno);
   if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (in_place_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   unfinished = nullptr;
   temporary_.clear();
-  // The new name is lost in a crash until the folder is on the disk; not every file system lets a folder be
-  // synced.
+  // The new name is lost in a crash until the folder is on the disk; not every file system lets a
+  // folder be synced.
   const std::filesystem::path folder = folder_of(target_);
   const int opened = open_retrying(folder, O_RDONLY | O_DIRECTORY);
   if (opened >= 0) {

@@ -7,11 +7,11 @@
 
 namespace facet {
 
-/// Writes to a temporary file beside the target; commit() gives it the target's name once all of it is on the
-/// disk, the destructor removes what was not committed. What stood under that name stays as it was until
-/// then. The temporary file's name cannot be guessed, and no file or link of that name is followed; those
-/// that a killed program left in the folder an hour ago or earlier are removed by commit(). A target that is
-/// a device or a pipe is written to directly, and stays.
+/// Writes to a temporary file beside the target; commit() gives it the target's name once all of it
+/// is on the disk, the destructor removes what was not committed. What stood under that name stays
+/// as it was until then. The temporary file's name cannot be guessed, and no file or link of that
+/// name is followed; those that a killed program left in the folder an hour ago or earlier are
+/// removed by commit(). A target that is a device or a pipe is written to directly, and stays.
 class AtomicFile {
  public:
   /// Throws InputError where the folder is missing or takes no file.
@@ -25,8 +25,9 @@ class AtomicFile {
   /// The open file. A pipe is opened here and not before, since that waits for its reader.
   [[nodiscard]] int descriptor();
 
-  /// Writes at the present position. Throws InputError where not all of it could be written, and commit()
-  /// will then throw again: writers that swallow exceptions, as destructors do, cannot commit a damaged file.
+  /// Writes at the present position. Throws InputError where not all of it could be written, and
+  /// commit() will then throw again: writers that swallow exceptions, as destructors do, cannot
+  /// commit a damaged file.
   void write(const void* data, std::size_t size);
   void write(const std::string& text) { write(text.data(), text.size()); }
   /// Throws InputError if anything written so far could not be.
@@ -36,8 +37,8 @@ class AtomicFile {
   [[nodiscard]] std::uint64_t position();
   void seek(std::uint64_t position);
 
-  /// Syncs file and folder. Throws InputError where the file cannot be completed or cannot take the target's
-  /// name.
+  /// Syncs file and folder. Throws InputError where the file cannot be completed or cannot take the
+  /// target's name.
   void commit();
 
   /// Removes the temporary file of this process, if there is one just now. For signal handlers:

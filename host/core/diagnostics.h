@@ -25,7 +25,9 @@ class Diagnostics {
   void add_inputs(const std::vector<std::filesystem::path>& files) {
     inputs_.insert(inputs_.end(), files.begin(), files.end());
   }
-  [[nodiscard]] const std::vector<std::filesystem::path>& inputs() const noexcept { return inputs_; }
+  [[nodiscard]] const std::vector<std::filesystem::path>& inputs() const noexcept {
+    return inputs_;
+  }
 
  private:
   bool strict_;

@@ -9,7 +9,8 @@ std::string to_string(const SourceLocation& where) {
 }
 
 Error::Error(ErrorKind kind, SourceLocation where, const std::string& message)
-    : std::runtime_error(printable(where.file.empty() ? message : to_string(where) + ": " + message)),
+    : std::runtime_error(
+          printable(where.file.empty() ? message : to_string(where) + ": " + message)),
       kind_(kind),
       where_(std::move(where)) {}
 

@@ -24,8 +24,10 @@ std::filesystem::path find_in_other_case(const std::filesystem::path& path) {
     }
     bool has_match = false;
     const std::filesystem::path folder = found.empty() ? "." : found;
-    for (std::filesystem::directory_iterator i(folder, ignored), end; i != end; i.increment(ignored)) {
-      if (ignored || lower_case(i->path().filename().string()) != lower_case(part.string())) continue;
+    for (std::filesystem::directory_iterator i(folder, ignored), end; i != end;
+         i.increment(ignored)) {
+      if (ignored || lower_case(i->path().filename().string()) != lower_case(part.string()))
+        continue;
       found /= i->path().filename();
       has_match = true;
       break;
@@ -124,11 +126,13 @@ std::string read_input_file(const std::filesystem::path& path) {
 std::optional<std::string> recognise_foreign_file(std::string_view start, std::string_view wanted) {
   start = start.substr(0, 1000);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return start.empty() ? "it is empty" : "it holds nothing but blanks";
+  if (first == std::string_view::npos)
+    return start.empty() ? "it is empty" : "it holds nothing but blanks";
   if (start.starts_with("version https://git-lfs"))
     return "it is a Git LFS pointer in place of the file; \"git lfs pull\" fetches the file itself";
-  const auto signature = std::find_if(signatures.begin(), signatures.end(),
-                                      [&](const Signature& s) { return start.starts_with(s.start); });
+  const auto signature =
+      std::find_if(signatures.begin(), signatures.end(),
+                   [&](const Signature& s) { return start.starts_with(s.start); });
   if (signature != signatures.end())
     return fmt::format("it is {}; convert it to {}", signature->name, wanted);
   if (looks_like_utf16(start)) return "it is text in UTF-16; save it as UTF-8";
@@ -141,7 +145,8 @@ std::optional<std::string> recognise_foreign_file(std::string_view start, std::s
 
 std::string describe_foreign_file(std::string_view start, std::string_view wanted) {
   if (const auto known = recognise_foreign_file(start, wanted)) return *known;
-  const std::string_view line = start.substr(0, std::min<std::size_t>(start.find_first_of("\r\n"), 40));
+  const std::string_view line =
+      start.substr(0, std::min<std::size_t>(start.find_first_of("\r\n"), 40));
   return fmt::format("it is not {}; it begins with \"{}\"", wanted, printable(line));
 }
 

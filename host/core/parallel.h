@@ -13,8 +13,8 @@ namespace facet {
 /// Number of threads that parallel work uses.
 inline std::size_t thread_count() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// Calls body(begin, end) on ranges of at most `grain` that cover [0, count), on all cores; the caller takes
-/// part. The first exception is rethrown when all threads have stopped.
+/// Calls body(begin, end) on ranges of at most `grain` that cover [0, count), on all cores; the
+/// caller takes part. The first exception is rethrown when all threads have stopped.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   const std::size_t chunks = (count + grain - 1) / grain;

@@ -1,7 +1,7 @@
 #pragma once
-// Printing that never throws. A log that is full, or an output that nobody reads any more, is no reason to
-// lose a render: what cannot be written is dropped, and main() asks at the end whether all of standard output
-// was.
+// Printing that never throws. A log that is full, or an output that nobody reads any more, is no
+// reason to lose a render: what cannot be written is dropped, and main() asks at the end whether
+// all of standard output was.
 #include <fmt/format.h>
 
 #include <cstdio>

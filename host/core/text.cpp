@@ -23,10 +23,12 @@ std::optional<double> out_of_range_value(std::string_view text) {
   const std::size_t e = std::min(text.find_first_of("eE"), text.size());
   const std::string_view digits = text.substr(0, e);
   const auto point = static_cast<long long>(std::min(digits.find('.'), digits.size()));
-  const auto first = static_cast<long long>(std::min(digits.find_first_of("123456789"), digits.size()));
+  const auto first =
+      static_cast<long long>(std::min(digits.find_first_of("123456789"), digits.size()));
   const bool exponent_is_negative = e + 1 < text.size() && text[e + 1] == '-';
   const auto exponent = parse_integer(text.substr(std::min(e + 1, text.size())));
-  if (!exponent && e < text.size()) return exponent_is_negative ? std::optional<double>(0) : std::nullopt;
+  if (!exponent && e < text.size())
+    return exponent_is_negative ? std::optional<double>(0) : std::nullopt;
   return point - first + exponent.value_or(0) < 0 ? std::optional<double>(0) : std::nullopt;
 }
 
@@ -80,7 +82,8 @@ std::vector<std::string_view> split_list(std::string_view text) {
   return parts;
 }
 
-std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates) {
+std::optional<std::string> nearest_name(std::string_view name,
+                                        std::span<const std::string> candidates) {
   std::optional<std::string> best;
   std::size_t best_distance = std::max<std::size_t>(name.size() / 3, 1) + 1;
   for (const std::string& candidate : candidates) {

@@ -8,7 +8,8 @@
 
 namespace facet {
 
-/// The whole text as a finite number, independent of the locale; nothing if there is anything else in it.
+/// The whole text as a finite number, independent of the locale; nothing if there is anything else
+/// in it.
 [[nodiscard]] std::optional<double> parse_real(std::string_view text);
 
 /// The whole text as an integer that fits.
@@ -22,7 +23,8 @@ namespace facet {
                                                       std::span<const std::string> candidates);
 
 /// " ; did you mean ...?" for an error message, or nothing.
-[[nodiscard]] std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
+[[nodiscard]] std::string did_you_mean(std::string_view name,
+                                       std::span<const std::string> candidates);
 
 /// Without the blanks and ends of lines around it.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
@@ -30,7 +32,8 @@ namespace facet {
 /// A to Z as a to z; other bytes stay.
 [[nodiscard]] std::string lower_case(std::string text);
 
-/// Text from outside as it may stand in a message, on a terminal or in a report: control characters as
+/// Text from outside as it may stand in a message, on a terminal or in a report: control characters
+/// as
 /// `\x1b`, and of more than `most` bytes the beginning and "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = 2000);
 

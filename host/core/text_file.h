@@ -4,7 +4,8 @@
 
 namespace facet {
 
-/// Writes the text to a file, whole or not at all; "-" is standard output. Throws InputError if it cannot.
+/// Writes the text to a file, whole or not at all; "-" is standard output. Throws InputError if it
+/// cannot.
 void write_text(const std::string& target, const std::string& text);
 
 }  // namespace facet

@@ -1,6 +1,6 @@
 #pragma once
-// Vectors of very many elements, which whoever fills them touches first: on all cores, where making them
-// would do it on one.
+// Vectors of very many elements, which whoever fills them touches first: on all cores, where making
+// them would do it on one.
 #include <memory>
 #include <utility>
 #include <vector>

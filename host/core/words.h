@@ -20,7 +20,8 @@ inline constexpr std::array heuristic_words{Word{Heuristic::balance, "balance"},
                                             Word{Heuristic::power, "power"}};
 inline constexpr std::array emitter_selection_words{Word{EmitterSelection::uniform, "uniform"},
                                                     Word{EmitterSelection::power, "power"}};
-inline constexpr std::array masking_words{Word{Masking::rational, "rational"}, Word{Masking::exact, "exact"}};
+inline constexpr std::array masking_words{Word{Masking::rational, "rational"},
+                                          Word{Masking::exact, "exact"}};
 inline constexpr std::array lobe_sampling_words{Word{LobeSampling::ndf, "ndf"},
                                                 Word{LobeSampling::visible, "visible"},
                                                 Word{LobeSampling::uniform, "uniform"}};
@@ -29,7 +30,8 @@ inline constexpr std::array precision_words{Word{Precision::float_, "float"},
 
 /// The words alone, of the first `count`.
 template <typename Words>
-[[nodiscard]] std::vector<std::string> names_of(const Words& words, std::size_t count = Words().size()) {
+[[nodiscard]] std::vector<std::string> names_of(const Words& words,
+                                                std::size_t count = Words().size()) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < count; ++i) names.emplace_back(words.at(i).word);
   return names;

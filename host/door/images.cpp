@@ -9,7 +9,8 @@
 
 namespace facet {
 
-void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
+void write_image(const std::filesystem::path& path, const Image& image,
+                 const WriteOptions& options) {
   if (output_format(path) == ImageFormat::exr) {
     write_exr(path, image);
   } else {
@@ -18,7 +19,8 @@ void write_image(const std::filesystem::path& path, const Image& image, const Wr
 }
 
 void write_image(const std::filesystem::path& path, const Film& film, const WriteOptions& options) {
-  write_image(path, options.part ? make_part(film, options.variance) : develop(film, options.variance),
+  write_image(path,
+              options.part ? make_part(film, options.variance) : develop(film, options.variance),
               options);
 }
 

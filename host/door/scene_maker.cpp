@@ -84,15 +84,16 @@ pugi::xml_node add_plugin(pugi::xml_node& parent, const char* tag, const Plugin&
 
 /// Throws InputError unless all numbers are finite and there is one attribute a position, or none.
 template <typename From, typename To>
-void convert(const Mesh& mesh, const char* what, const std::vector<From>& from, std::size_t expected,
-             std::vector<To>& to) {
+void convert(const Mesh& mesh, const char* what, const std::vector<From>& from,
+             std::size_t expected, std::vector<To>& to) {
   if (!from.empty() && from.size() != expected)
     fail(mesh, fmt::format("{} {} for {} positions", from.size(), what, expected));
   to.reserve(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     To value(0);
     for (std::size_t k = 0; k < from[i].size(); ++k) {
-      if (!std::isfinite(from[i][k])) fail(mesh, fmt::format("number {} of the {} is not finite", i, what));
+      if (!std::isfinite(from[i][k]))
+        fail(mesh, fmt::format("number {} of the {} is not finite", i, what));
       value[static_cast<int>(k)] = from[i][k];
     }
     to.push_back(value);
@@ -108,8 +109,9 @@ Mesh make_mesh(const TriangleMesh& from, std::size_t number) {
   convert(mesh, "texture coordinates", from.texcoords, from.positions.size(), mesh.texcoords);
   for (const auto& [a, b, c] : from.triangles) {
     if (std::max({a, b, c}) >= from.positions.size())
-      fail(mesh, fmt::format("triangle {} has the corner {}, but there are {} positions",
-                             mesh.position_indices.size(), std::max({a, b, c}), from.positions.size()));
+      fail(mesh,
+           fmt::format("triangle {} has the corner {}, but there are {} positions",
+                       mesh.position_indices.size(), std::max({a, b, c}), from.positions.size()));
     mesh.position_indices.emplace_back(a, b, c);
   }
   if (!mesh.normals.empty()) mesh.normal_indices = mesh.position_indices;
@@ -157,7 +159,8 @@ SceneMaker& SceneMaker::mesh(const TriangleMesh& mesh, const Plugin& bsdf) {
   return *this;
 }
 
-SceneMaker& SceneMaker::mesh(const TriangleMesh& triangles, const Plugin& bsdf, const Plugin& emitter) {
+SceneMaker& SceneMaker::mesh(const TriangleMesh& triangles, const Plugin& bsdf,
+                             const Plugin& emitter) {
   mesh(triangles, bsdf);
   pugi::xml_node node = parts_->root.last_child();
   add_plugin(node, "emitter", emitter);

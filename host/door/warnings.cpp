@@ -57,15 +57,16 @@ dvec3 area_normal(const TriangleCorners& t) {
   return glm::cross(dvec3(t[1]) - dvec3(t[0]), dvec3(t[2]) - dvec3(t[0]));
 }
 
-/// Whether the two are seen in one another's place: not where they lie back to back, as the bottom of a lamp
-/// and the table that it stands on, unless the camera is on the emitter's bright side.
+/// Whether the two are seen in one another's place: not where they lie back to back, as the bottom
+/// of a lamp and the table that it stands on, unless the camera is on the emitter's bright side.
 bool compete(const TriangleCorners& emitting, const TriangleCorners& other, const dvec3& camera) {
   const dvec3 normal = area_normal(emitting);
-  return glm::dot(normal, area_normal(other)) > 0 || glm::dot(normal, camera - dvec3(emitting[0])) > 0;
+  return glm::dot(normal, area_normal(other)) > 0 ||
+         glm::dot(normal, camera - dvec3(emitting[0])) > 0;
 }
 
-/// Pairs of an emitting mesh and one that it coincides with, which may be itself. Of two that emit, which
-/// meet twice, the first in the scene comes first.
+/// Pairs of an emitting mesh and one that it coincides with, which may be itself. Of two that emit,
+/// which meet twice, the first in the scene comes first.
 std::set<std::pair<std::uint32_t, std::uint32_t>> find_coinciding_emitters(const Scene& scene) {
   std::vector<TrianglePlace> places;
   std::vector<TriangleCorners> emitting;
@@ -110,19 +111,24 @@ void warn_about_coinciding_emitters(const Scene& scene, Diagnostics& diagnostics
   for (const auto& [emitting, other] : find_coinciding_emitters(scene)) {
     diagnostics.warn(
         scene.meshes[emitting].where,
-        fmt::format("the emitting mesh {} and {} lie in one plane and overlap: rounding decides which of the "
+        fmt::format("the emitting mesh {} and {} lie in one plane and overlap: rounding decides "
+                    "which of the "
                     "two a ray meets, and estimators differ in it; move one of them a little",
-                    scene.meshes[emitting].name, emitting == other ? "itself" : scene.meshes[other].name));
+                    scene.meshes[emitting].name,
+                    emitting == other ? "itself" : scene.meshes[other].name));
   }
 }
 
-/// Directions are unit vectors of floats: that of a ray errs by about 2^-24, whatever the field of view.
-void warn_about_narrow_pixels(const Scene& scene, const RenderSettings& settings, Diagnostics& diagnostics) {
+/// Directions are unit vectors of floats: that of a ray errs by about 2^-24, whatever the field of
+/// view.
+void warn_about_narrow_pixels(const Scene& scene, const RenderSettings& settings,
+                              Diagnostics& diagnostics) {
   constexpr double rounding = 0x1p-24;
   const Camera camera = camera_of(scene, settings);
   const dvec3 forwards = glm::normalize(dvec3(camera.to_world[2]));
   const dvec3 size = glm::abs(forwards);
-  // Along an axis, what differs between rays are small numbers, which floats hold as exactly as large ones.
+  // Along an axis, what differs between rays are small numbers, which floats hold as exactly as
+  // large ones.
   if (std::max({size.x, size.y, size.z}) > 1 - 1e-12) return;
   const double pixel = 2 * std::tan(glm::radians(camera.fov) / 2) / camera.width;
   if (pixel > 32 * rounding) return;
@@ -142,23 +148,25 @@ void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagn
   const SourceLocation where{scene.file.string(), 0};
   if (scene.triangle_count() == 0) diagnostics.warn(where, "the scene has no triangles");
   if (integrator.needs_emitters() && scene.emitters.empty()) {
-    diagnostics.warn(where, fmt::format("the scene has no emitter, which {} needs: the image will be black",
-                                        integrator.type.name));
+    diagnostics.warn(
+        where, fmt::format("the scene has no emitter, which {} needs: the image will be black",
+                           integrator.type.name));
   }
-  const bool point_lights = std::any_of(scene.emitters.begin(), scene.emitters.end(), [](const Emitter& e) {
-    return std::holds_alternative<PointLight>(e);
-  });
+  const bool point_lights =
+      std::any_of(scene.emitters.begin(), scene.emitters.end(),
+                  [](const Emitter& e) { return std::holds_alternative<PointLight>(e); });
   if (point_lights && integrator.type.material_sampling && !integrator.type.emitter_sampling) {
     diagnostics.warn(
-        where, fmt::format("{} samples only BSDFs, which never find a point light: its light is missing",
-                           integrator.type.name));
+        where,
+        fmt::format("{} samples only BSDFs, which never find a point light: its light is missing",
+                    integrator.type.name));
   }
   for (const Emitter& emitter : scene.emitters) {
     const auto* area = std::get_if<AreaEmitter>(&emitter);
     if (area != nullptr && is_without_area(scene.meshes[area->mesh])) {
-      diagnostics.warn(
-          scene.meshes[area->mesh].where,
-          fmt::format("the emitting mesh {} has no area: it gives no light", scene.meshes[area->mesh].name));
+      diagnostics.warn(scene.meshes[area->mesh].where,
+                       fmt::format("the emitting mesh {} has no area: it gives no light",
+                                   scene.meshes[area->mesh].name));
     }
   }
   warn_about_coinciding_emitters(scene, diagnostics);
@@ -166,8 +174,9 @@ void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagn
   if (is_clipped_away(scene)) {
     diagnostics.warn(
         where,
-        fmt::format("the whole scene lies outside the camera's clip planes (nearClip {:g}, farClip {:g})",
-                    scene.camera.near_clip, scene.camera.far_clip));
+        fmt::format(
+            "the whole scene lies outside the camera's clip planes (nearClip {:g}, farClip {:g})",
+            scene.camera.near_clip, scene.camera.far_clip));
   }
 }
 

@@ -7,8 +7,9 @@
 
 namespace facet {
 
-/// Adds warnings about scenes that will be black or hidden from the camera, and about emitters whose light is
-/// a matter of rounding. in_double: for a render in double precision, which narrow pixels do not disturb.
+/// Adds warnings about scenes that will be black or hidden from the camera, and about emitters
+/// whose light is a matter of rounding. in_double: for a render in double precision, which narrow
+/// pixels do not disturb.
 void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagnostics& diagnostics,
                        bool in_double = false);
 

@@ -12,17 +12,19 @@ namespace {
 /// Bytes copied at a time where staging is needed.
 constexpr std::uint64_t staging_bytes = 16U << 20U;
 
-/// Every buffer holds at least one record of any kind: kernels look at the first one even where they then
-/// discard it.
+/// Every buffer holds at least one record of any kind: kernels look at the first one even where
+/// they then discard it.
 constexpr std::uint64_t least_bytes = 64;
 
-vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage) {
+vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes,
+                             vk::BufferUsageFlags usage) {
   return {device.handle(), vk::BufferCreateInfo({}, bytes, usage)};
 }
 
 }  // namespace
 
-Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what)
+Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage,
+               const std::string& what)
     : device_(&device),
       size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, least_bytes)),
       buffer_(nullptr),
@@ -33,21 +35,25 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, 
   if (!staging) reservation_ = device.reserve(size_, what);
   try {
     buffer_ = make_buffer(
-        device, size_, usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);
+        device, size_,
+        usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);
     const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
     const std::uint32_t type =
-        staging ? device.memory_type(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
-                                     Memory::eHostCached)
-                : device.memory_type(needs.memoryTypeBits, Memory::eDeviceLocal,
-                                     Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached);
+        staging
+            ? device.memory_type(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
+                                 Memory::eHostCached)
+            : device.memory_type(
+                  needs.memoryTypeBits, Memory::eDeviceLocal,
+                  Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached);
     memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type)};
     buffer_.bindMemory(*memory_, 0);
     const auto flags = device.memory_flags(type);
     constexpr auto shared = Memory::eHostVisible | Memory::eHostCoherent;
-    if ((flags & shared) == shared) mapped_ = static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE));
+    if ((flags & shared) == shared)
+      mapped_ = static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE));
   } catch (const vk::SystemError& e) {
-    throw DeviceError(
-        fmt::format("{}: cannot allocate {} bytes for {}: {}", device.info().name, size_, what, e.what()));
+    throw DeviceError(fmt::format("{}: cannot allocate {} bytes for {}: {}", device.info().name,
+                                  size_, what, e.what()));
   }
 }
 
@@ -85,12 +91,14 @@ void Buffer::download(std::span<std::byte> bytes) const {
 }
 
 void Buffer::clear() {
-  device_->run([&](const vk::raii::CommandBuffer& c) { c.fillBuffer(handle(), 0, VK_WHOLE_SIZE, 0); });
+  device_->run(
+      [&](const vk::raii::CommandBuffer& c) { c.fillBuffer(handle(), 0, VK_WHOLE_SIZE, 0); });
 }
 
 vk::raii::BufferView make_texel_view(const Device& device, const Buffer& buffer) {
   return {device.handle(),
-          vk::BufferViewCreateInfo({}, buffer.handle(), vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE)};
+          vk::BufferViewCreateInfo({}, buffer.handle(), vk::Format::eR32G32B32A32Uint, 0,
+                                   VK_WHOLE_SIZE)};
 }
 
 }  // namespace facet::gpu

@@ -1,5 +1,6 @@
 #pragma once
-// Buffers in device memory: mapped where the device shares memory with the host, staged where it does not.
+// Buffers in device memory: mapped where the device shares memory with the host, staged where it
+// does not.
 #include <span>
 
 #include "gpu/device.h"
@@ -8,7 +9,8 @@ namespace facet::gpu {
 
 class Buffer {
  public:
-  /// At least 64 bytes are allocated, so that an unused buffer can be bound. `what` names it in messages.
+  /// At least 64 bytes are allocated, so that an unused buffer can be bound. `what` names it in
+  /// messages.
   Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what);
 
   [[nodiscard]] vk::Buffer handle() const { return *buffer_; }

@@ -20,9 +20,10 @@ vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint
   return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions)};
 }
 
-vk::raii::CommandBuffer make_commands(const vk::raii::Device& device, const vk::raii::CommandPool& pool) {
-  vk::raii::CommandBuffers buffers(device,
-                                   vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
+vk::raii::CommandBuffer make_commands(const vk::raii::Device& device,
+                                      const vk::raii::CommandPool& pool) {
+  vk::raii::CommandBuffers buffers(
+      device, vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
   return std::move(buffers.front());
 }
 
@@ -38,8 +39,8 @@ Device::Device(const Instance& instance, DeviceInfo info)
       has_timestamps_(physical_.getQueueFamilyProperties()[queue_family_].timestampValidBits > 0),
       device_(make_device(physical_, queue_family_)),
       queue_(device_, queue_family_, 0),
-      pool_(device_,
-            vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_)),
+      pool_(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+                                               queue_family_)),
       commands_(make_commands(device_, pool_)),
       fence_(device_, vk::FenceCreateInfo()),
       budget_(info_.memory_bytes) {}
@@ -48,10 +49,12 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags
                                   vk::MemoryPropertyFlags preferred) const {
   for (const vk::MemoryPropertyFlags wanted : {required | preferred, required}) {
     for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
-      if ((allowed & (1U << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+      if ((allowed & (1U << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
+        return i;
     }
   }
-  throw DeviceError(fmt::format("{} has no memory of the kind {}", info_.name, vk::to_string(required)));
+  throw DeviceError(
+      fmt::format("{} has no memory of the kind {}", info_.name, vk::to_string(required)));
 }
 
 vk::MemoryPropertyFlags Device::memory_flags(std::uint32_t type) const {
@@ -62,8 +65,9 @@ std::shared_ptr<void> Device::reserve(std::uint64_t bytes, const std::string& wh
   if (*reserved_ + bytes > budget_) {
     throw InputError(fmt::format(
         "{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
-        with_unit_prefix(static_cast<double>(bytes)), with_unit_prefix(static_cast<double>(budget_)),
-        info_.name, with_unit_prefix(static_cast<double>(*reserved_))));
+        with_unit_prefix(static_cast<double>(bytes)),
+        with_unit_prefix(static_cast<double>(budget_)), info_.name,
+        with_unit_prefix(static_cast<double>(*reserved_))));
   }
   *reserved_ += bytes;
   return {nullptr, [reserved = reserved_, bytes](void*) { *reserved -= bytes; }};

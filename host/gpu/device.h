@@ -20,8 +20,9 @@ struct DeviceInfo {
   std::string kind;    ///< "discrete GPU", "CPU", ...
   std::uint32_t api_version = 0;
   std::uint64_t memory_bytes = 0;  ///< largest device-local heap
-  std::vector<std::string> lacks;  ///< what facet needs and the device does not have, by name; empty: usable
-  int rank = 0;                    ///< preference among usable devices, larger first
+  std::vector<std::string>
+      lacks;     ///< what facet needs and the device does not have, by name; empty: usable
+  int rank = 0;  ///< preference among usable devices, larger first
 };
 
 /// What the validation layers said, in any thread that called Vulkan.
@@ -41,8 +42,8 @@ class Instance {
   Instance& operator=(const Instance&) = delete;
 
   [[nodiscard]] std::vector<DeviceInfo> devices() const;
-  /// selector: an index, part of a name (any case), or empty for the best one. Throws DeviceError where
-  /// nothing fits.
+  /// selector: an index, part of a name (any case), or empty for the best one. Throws DeviceError
+  /// where nothing fits.
   [[nodiscard]] DeviceInfo choose(const std::string& selector) const;
   [[nodiscard]] vk::raii::PhysicalDevice physical_device(const DeviceInfo& info) const;
   [[nodiscard]] const ValidationLog& validation() const { return *validation_; }
@@ -74,8 +75,8 @@ class Device {
                                           vk::MemoryPropertyFlags preferred) const;
   [[nodiscard]] vk::MemoryPropertyFlags memory_flags(std::uint32_t type) const;
 
-  /// Books memory against the device's heap; throws InputError, before anything is allocated, if it cannot
-  /// fit. The booking ends with the returned object.
+  /// Books memory against the device's heap; throws InputError, before anything is allocated, if it
+  /// cannot fit. The booking ends with the returned object.
   [[nodiscard]] std::shared_ptr<void> reserve(std::uint64_t bytes, const std::string& what);
   [[nodiscard]] std::uint64_t reserved_bytes() const { return *reserved_; }
 
@@ -96,7 +97,8 @@ class Device {
   vk::raii::CommandBuffer commands_;
   vk::raii::Fence fence_;
   std::uint64_t budget_ = 0;
-  std::shared_ptr<std::uint64_t> reserved_ = std::make_shared<std::uint64_t>(0);  ///< bytes booked now
+  std::shared_ptr<std::uint64_t> reserved_ =
+      std::make_shared<std::uint64_t>(0);  ///< bytes booked now
 };
 
 }  // namespace facet::gpu

@@ -15,13 +15,15 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 constexpr const char* driver_hint =
-    "install a Vulkan driver: on Debian and Ubuntu the package mesa-vulkan-drivers holds those of AMD and "
+    "install a Vulkan driver: on Debian and Ubuntu the package mesa-vulkan-drivers holds those of "
+    "AMD and "
     "Intel GPUs and lavapipe, "
     "which needs no GPU";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                           VkDebugUtilsMessageTypeFlagsEXT,
-                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                          void* log) {
   auto* const validation = static_cast<ValidationLog*>(log);
   const std::scoped_lock lock(validation->mutex);
   validation->messages.emplace_back(data->pMessage);
@@ -32,8 +34,9 @@ vk::raii::Context make_context() {
   try {
     return {};
   } catch (const std::exception&) {
-    throw DeviceError(std::string("no Vulkan loader (libvulkan.so.1): install the package libvulkan1; and ") +
-                      driver_hint);
+    throw DeviceError(
+        std::string("no Vulkan loader (libvulkan.so.1): install the package libvulkan1; and ") +
+        driver_hint);
   }
 }
 
@@ -55,8 +58,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   }
   try {
-    // Drivers that translate to another API are listed only on request. Old loaders refuse it; to ask them
-    // beforehand would load and unload every driver once more.
+    // Drivers that translate to another API are listed only on request. Old loaders refuse it; to
+    // ask them beforehand would load and unload every driver once more.
     std::vector<const char*> all = extensions;
     all.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     try {
@@ -76,12 +79,13 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
   const vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError,
-                                                  Type::eValidation | Type::ePerformance, &on_message, log);
+                                                  Type::eValidation | Type::ePerformance,
+                                                  &on_message, log);
   return {instance, info};
 }
 
-/// Never unloads what is loaded by now. What drivers keep for the process is lost when they are unloaded, and
-/// would be reported as leaks.
+/// Never unloads what is loaded by now. What drivers keep for the process is lost when they are
+/// unloaded, and would be reported as leaks.
 void keep_libraries_loaded() {
   const auto keep = [](dl_phdr_info* library, std::size_t /*size*/, void* /*data*/) {
     (void)::dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
@@ -123,11 +127,13 @@ DeviceInfo Instance::choose(const std::string& selector) const {
     if (best == nullptr || best->rank < device.rank) best = &device;
   }
   if (best == nullptr) {
-    throw DeviceError(fmt::format("no Vulkan device is \"{}\"; \"facet devices\" lists the {} there are",
-                                  selector, list.size()));
+    throw DeviceError(
+        fmt::format("no Vulkan device is \"{}\"; \"facet devices\" lists the {} there are",
+                    selector, list.size()));
   }
   if (!best->lacks.empty()) {
-    throw DeviceError(fmt::format("{} lacks {}; {}", best->name, fmt::join(best->lacks, ", "), driver_hint));
+    throw DeviceError(
+        fmt::format("{} lacks {}; {}", best->name, fmt::join(best->lacks, ", "), driver_hint));
   }
   return *best;
 }

@@ -20,7 +20,8 @@ bool is_true(const std::string& value) { return value == "1" || value == "true" 
 std::filesystem::path cache_root() {
   if (const std::string folder = variable("MESA_SHADER_CACHE_DIR"); !folder.empty()) return folder;
   if (const std::string folder = variable("XDG_CACHE_HOME"); !folder.empty()) return folder;
-  if (const std::string home = variable("HOME"); !home.empty()) return std::filesystem::path(home) / ".cache";
+  if (const std::string home = variable("HOME"); !home.empty())
+    return std::filesystem::path(home) / ".cache";
   return {};
 }
 
@@ -32,7 +33,8 @@ std::string describe_kernel_cache(const std::string& driver) {
     return "keeps no compiled kernels (MESA_SHADER_CACHE_DISABLE)";
   const std::filesystem::path root = cache_root();
   if (root.empty())
-    return "keeps no compiled kernels (neither HOME nor XDG_CACHE_HOME nor MESA_SHADER_CACHE_DIR is set)";
+    return "keeps no compiled kernels (neither HOME nor XDG_CACHE_HOME nor MESA_SHADER_CACHE_DIR "
+           "is set)";
   // One file a kernel, or, since Mesa 24, a database.
   std::string folders;
   for (const char* name : {"mesa_shader_cache", "mesa_shader_cache_db"}) {

@@ -16,18 +16,20 @@ vk::raii::DescriptorSetLayout make_set_layout(const Device& device,
   return {device.handle(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
 
-vk::raii::PipelineLayout make_pipeline_layout(const Device& device, const vk::raii::DescriptorSetLayout& set,
+vk::raii::PipelineLayout make_pipeline_layout(const Device& device,
+                                              const vk::raii::DescriptorSetLayout& set,
                                               std::uint32_t push_constant_bytes) {
   const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, push_constant_bytes);
   const vk::DescriptorSetLayout handle = *set;
   return {device.handle(), vk::PipelineLayoutCreateInfo({}, handle, range)};
 }
 
-vk::raii::DescriptorPool make_pool(const Device& device, std::span<const vk::DescriptorType> types) {
+vk::raii::DescriptorPool make_pool(const Device& device,
+                                   std::span<const vk::DescriptorType> types) {
   std::vector<vk::DescriptorPoolSize> sizes;
   for (const vk::DescriptorType type : types) sizes.emplace_back(type, 1);
-  return {device.handle(),
-          vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
+  return {device.handle(), vk::DescriptorPoolCreateInfo(
+                               vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
 }
 
 vk::raii::DescriptorSet make_set(const Device& device, const vk::raii::DescriptorPool& pool,
@@ -45,7 +47,8 @@ Layout::Layout(const Device& device, std::span<const vk::DescriptorType> types,
       set_(make_set_layout(device, types)),
       pipeline_(make_pipeline_layout(device, set_, push_constant_bytes)) {}
 
-BindingSet::BindingSet(const Device& device, const Layout& layout, std::span<const Binding> bindings)
+BindingSet::BindingSet(const Device& device, const Layout& layout,
+                       std::span<const Binding> bindings)
     : pool_(make_pool(device, layout.types())), set_(make_set(device, pool_, layout)) {
   for (std::uint32_t i = 0; i < bindings.size(); ++i) {
     const vk::DescriptorBufferInfo buffer(bindings[i].buffer->handle(), 0, VK_WHOLE_SIZE);
@@ -62,14 +65,17 @@ BindingSet::BindingSet(const Device& device, const Layout& layout, std::span<con
 }
 
 vk::raii::Pipeline make_compute_pipeline(const Device& device, const Layout& layout,
-                                         std::span<const std::uint32_t> code, const std::string& name) {
+                                         std::span<const std::uint32_t> code,
+                                         const std::string& name) {
   try {
-    const vk::raii::ShaderModule module(device.handle(),
-                                        vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
+    const vk::raii::ShaderModule module(
+        device.handle(), vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
+                                                  "main");
     return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout.pipeline())};
   } catch (const vk::SystemError& e) {
-    throw DeviceError(fmt::format("{} cannot compile the kernel {}: {}", device.info().name, name, e.what()));
+    throw DeviceError(
+        fmt::format("{} cannot compile the kernel {}: {}", device.info().name, name, e.what()));
   }
 }
 
@@ -80,9 +86,10 @@ void barrier(const vk::raii::CommandBuffer& commands) {
                               Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead |
                                   Access::eIndirectCommandRead | Access::eTransferRead |
                                   Access::eTransferWrite | Access::eHostRead);
-  commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer,
-                           Stage::eComputeShader | Stage::eDrawIndirect | Stage::eTransfer | Stage::eHost, {},
-                           all, {}, {});
+  commands.pipelineBarrier(
+      Stage::eComputeShader | Stage::eTransfer,
+      Stage::eComputeShader | Stage::eDrawIndirect | Stage::eTransfer | Stage::eHost, {}, all, {},
+      {});
 }
 
 }  // namespace facet::gpu

@@ -12,7 +12,8 @@ namespace facet::gpu {
 class Layout {
  public:
   /// types: one a binding, from 0.
-  Layout(const Device& device, std::span<const vk::DescriptorType> types, std::uint32_t push_constant_bytes);
+  Layout(const Device& device, std::span<const vk::DescriptorType> types,
+         std::uint32_t push_constant_bytes);
 
   [[nodiscard]] const vk::raii::DescriptorSetLayout& set() const { return set_; }
   [[nodiscard]] const vk::raii::PipelineLayout& pipeline() const { return pipeline_; }
@@ -46,7 +47,8 @@ class BindingSet {
                                                        std::span<const std::uint32_t> code,
                                                        const std::string& name);
 
-/// Makes everything written so far visible to later kernels, indirect commands, copies and the host.
+/// Makes everything written so far visible to later kernels, indirect commands, copies and the
+/// host.
 void barrier(const vk::raii::CommandBuffer& commands);
 
 }  // namespace facet::gpu

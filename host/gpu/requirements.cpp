@@ -26,14 +26,16 @@ std::vector<Requirement> requirements() {
   using Limits = vk::PhysicalDeviceLimits;
   constexpr std::uint32_t buffers = shared::BUFFER_BINDING_COUNT;
   return {
-      {"Vulkan 1.1", [](const auto& d) { return d.getProperties().apiVersion >= minimum_vulkan_version; }},
-      {"a compute queue", [](const auto& d) { return compute_queue_family(d) != VK_QUEUE_FAMILY_IGNORED; }},
+      {"Vulkan 1.1",
+       [](const auto& d) { return d.getProperties().apiVersion >= minimum_vulkan_version; }},
+      {"a compute queue",
+       [](const auto& d) { return compute_queue_family(d) != VK_QUEUE_FAMILY_IGNORED; }},
       limit<std::uint32_t>("maxPerStageDescriptorStorageBuffers",
                            &Limits::maxPerStageDescriptorStorageBuffers, buffers),
-      limit<std::uint32_t>("maxDescriptorSetStorageBuffers", &Limits::maxDescriptorSetStorageBuffers,
-                           buffers),
-      limit<std::uint32_t>("maxComputeWorkGroupInvocations", &Limits::maxComputeWorkGroupInvocations,
-                           shared::WORKGROUP_SIZE),
+      limit<std::uint32_t>("maxDescriptorSetStorageBuffers",
+                           &Limits::maxDescriptorSetStorageBuffers, buffers),
+      limit<std::uint32_t>("maxComputeWorkGroupInvocations",
+                           &Limits::maxComputeWorkGroupInvocations, shared::WORKGROUP_SIZE),
       limit<std::uint32_t>("maxStorageBufferRange", &Limits::maxStorageBufferRange, 1U << 27U),
   };
 }
@@ -66,9 +68,10 @@ int rank_of(vk::PhysicalDeviceType type, bool usable) {
 
 std::uint32_t compute_queue_family(const vk::raii::PhysicalDevice& device) {
   const auto families = device.getQueueFamilyProperties();
-  const auto found = std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& f) {
-    return static_cast<bool>(f.queueFlags & vk::QueueFlagBits::eCompute);
-  });
+  const auto found =
+      std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& f) {
+        return static_cast<bool>(f.queueFlags & vk::QueueFlagBits::eCompute);
+      });
   return found == families.end() ? VK_QUEUE_FAMILY_IGNORED
                                  : static_cast<std::uint32_t>(found - families.begin());
 }

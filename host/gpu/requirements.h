@@ -4,8 +4,10 @@
 
 namespace facet::gpu {
 
-/// A device's description, with everything it lacks by name; unusable devices rank below all usable ones.
-[[nodiscard]] DeviceInfo describe_device(const vk::raii::PhysicalDevice& device, std::uint32_t index);
+/// A device's description, with everything it lacks by name; unusable devices rank below all usable
+/// ones.
+[[nodiscard]] DeviceInfo describe_device(const vk::raii::PhysicalDevice& device,
+                                         std::uint32_t index);
 
 /// First queue family that computes, VK_QUEUE_FAMILY_IGNORED without one.
 [[nodiscard]] std::uint32_t compute_queue_family(const vk::raii::PhysicalDevice& device);

@@ -51,7 +51,8 @@ class Specialisation {
 
   /// An instruction of other words than the module's.
   Instruction make(std::initializer_list<std::uint32_t> operands, spv::Op opcode) {
-    std::vector<std::uint32_t>& words = made_.emplace_back(1, spirv::first_word(opcode, operands.size() + 1));
+    std::vector<std::uint32_t>& words =
+        made_.emplace_back(1, spirv::first_word(opcode, operands.size() + 1));
     words.insert(words.end(), operands);
     return {words};
   }
@@ -134,7 +135,8 @@ class Specialisation {
     functions_.push_back(definition_[function]);
   }
 
-  /// Finds the live blocks. Blocks stand behind those that lead to them, but for the heads of loops.
+  /// Finds the live blocks. Blocks stand behind those that lead to them, but for the heads of
+  /// loops.
   void follow_function(std::size_t begin) {
     std::uint32_t block = 0;
     for (std::size_t k = begin; module_[k].opcode() != spv::OpFunctionEnd; ++k) {
@@ -181,12 +183,14 @@ class Specialisation {
   }
 
   void lead_to(std::uint32_t label, std::size_t at) {
-    if (definition_[label] < at && !is_live_block_[label]) fail("its blocks are in an unexpected order");
+    if (definition_[label] < at && !is_live_block_[label])
+      fail("its blocks are in an unexpected order");
     is_live_block_[label] = true;
   }
 
   /// Where all ways that lead to its block bring the same.
-  [[nodiscard]] Constant value_of_phi(const Instruction& phi, std::size_t at, std::uint32_t block) const {
+  [[nodiscard]] Constant value_of_phi(const Instruction& phi, std::size_t at,
+                                      std::uint32_t block) const {
     Constant common;
     const auto operands = phi.operands();
     for (std::size_t k = 0; k < operands.size(); k += 2) {
@@ -201,13 +205,14 @@ class Specialisation {
     return common;
   }
 
-  /// Keeps what is not debug information, and of functions the live ones' live blocks, with one way on where
-  /// the other is never taken. A dead block that a live one names, as that where its ways meet, stays as a
-  /// label.
+  /// Keeps what is not debug information, and of functions the live ones' live blocks, with one way
+  /// on where the other is never taken. A dead block that a live one names, as that where its ways
+  /// meet, stays as a label.
   void drop_dead_blocks() {
     for (const Instruction& i : std::span(module_).first(first_function_)) {
       const bool names = i.opcode() == spv::OpName || i.opcode() == spv::OpMemberName;
-      const bool specializes = i.opcode() == spv::OpDecorate && i.operands()[1] == spv::DecorationSpecId;
+      const bool specializes =
+          i.opcode() == spv::OpDecorate && i.operands()[1] == spv::DecorationSpecId;
       if (!names && !specializes) kept_.push_back(i);
     }
     for (const std::size_t begin : functions_) {
@@ -226,7 +231,8 @@ class Specialisation {
           kept_.push_back(i);
           // Every loop has a way back, even where nothing gets there.
           const std::uint32_t head = head_of_[block];
-          kept_.push_back(head == none ? make({}, spv::OpUnreachable) : make({head}, spv::OpBranch));
+          kept_.push_back(head == none ? make({}, spv::OpUnreachable)
+                                       : make({head}, spv::OpBranch));
         }
       }
     }
@@ -254,13 +260,15 @@ class Specialisation {
   }
 
   Instruction without_dead_ways(const Instruction& phi, std::uint32_t block) {
-    std::vector<std::uint32_t>& words = made_.emplace_back(phi.words.begin(), phi.words.begin() + 3);
+    std::vector<std::uint32_t>& words =
+        made_.emplace_back(phi.words.begin(), phi.words.begin() + 3);
     const auto operands = phi.operands();
     for (std::size_t k = 0; k < operands.size(); k += 2) {
       if (comes(operands[k + 1], block)) words.insert(words.end(), {operands[k], operands[k + 1]});
     }
     // A loop's way back that nothing takes brings what there was.
-    if (const std::uint32_t way_back = continue_of_[block]; way_back != none && !is_live_block_[way_back])
+    if (const std::uint32_t way_back = continue_of_[block];
+        way_back != none && !is_live_block_[way_back])
       words.insert(words.end(), {phi.result(), way_back});
     words[0] = spirv::first_word(spv::OpPhi, words.size());
     return {words};
@@ -275,15 +283,16 @@ class Specialisation {
   std::span<const std::uint32_t> constants_;
   const std::string& name_;
   std::vector<Instruction> module_;
-  std::deque<std::vector<std::uint32_t>> made_;  ///< words of instructions that differ from the module's
-  std::vector<std::size_t> definition_;          ///< index of an id's instruction
-  std::vector<Constant> value_;                  ///< of an id
-  std::vector<std::uint32_t> spec_id_;           ///< of a specialization constant's id
+  std::deque<std::vector<std::uint32_t>>
+      made_;                             ///< words of instructions that differ from the module's
+  std::vector<std::size_t> definition_;  ///< index of an id's instruction
+  std::vector<Constant> value_;          ///< of an id
+  std::vector<std::uint32_t> spec_id_;   ///< of a specialization constant's id
   std::size_t first_function_ = 0;
-  std::vector<std::size_t> functions_;      ///< those called: where they begin
-  std::vector<bool> is_live_block_;         ///< by label
-  std::vector<bool> is_target_;             ///< functions called, and labels that live blocks name
-  std::vector<std::uint32_t> taken_;        ///< by a block's label: the one way on of a decided branch
+  std::vector<std::size_t> functions_;  ///< those called: where they begin
+  std::vector<bool> is_live_block_;     ///< by label
+  std::vector<bool> is_target_;         ///< functions called, and labels that live blocks name
+  std::vector<std::uint32_t> taken_;    ///< by a block's label: the one way on of a decided branch
   std::vector<std::uint32_t> continue_of_;  ///< by the label of a loop's head
   std::vector<std::uint32_t> head_of_;      ///< by the label of a loop's continue target
   std::vector<Instruction> kept_;
@@ -292,10 +301,13 @@ class Specialisation {
 }  // namespace
 
 std::vector<std::uint32_t> specialise(std::span<const std::uint32_t> code,
-                                      std::span<const std::uint32_t> constants, const std::string& name) {
+                                      std::span<const std::uint32_t> constants,
+                                      const std::string& name) {
   return Specialisation(code, constants, name).run();
 }
 
-std::size_t instruction_count(std::span<const std::uint32_t> code) { return spirv::parse(code).size(); }
+std::size_t instruction_count(std::span<const std::uint32_t> code) {
+  return spirv::parse(code).size();
+}
 
 }  // namespace facet::gpu

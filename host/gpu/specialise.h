@@ -7,11 +7,11 @@
 
 namespace facet::gpu {
 
-/// The SPIR-V with its specialization constants (32 bits each, ids from 0) fixed, and without the functions,
-/// blocks and values that they leave no use for. Drivers do as much, but first inline and rework all of a
-/// kernel: Mesa takes ten times as long. No operation that is left differs from what it was. Throws
-/// DeviceError where the code is none or of an unexpected form, and trusts it to be valid otherwise; `name`
-/// is for that message.
+/// The SPIR-V with its specialization constants (32 bits each, ids from 0) fixed, and without the
+/// functions, blocks and values that they leave no use for. Drivers do as much, but first inline
+/// and rework all of a kernel: Mesa takes ten times as long. No operation that is left differs from
+/// what it was. Throws DeviceError where the code is none or of an unexpected form, and trusts it
+/// to be valid otherwise; `name` is for that message.
 ///
 /// Conditions are followed within functions, through values but not through variables:
 /// cmake/generators/embed_kernels.cpp turns the ones into the others where it can.

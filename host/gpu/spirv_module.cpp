@@ -111,7 +111,8 @@ Constant evaluate(spv::Op opcode, Constant a, Constant b) {
   }
 }
 
-std::vector<Instruction> without_unused(std::span<const Instruction> instructions, std::uint32_t bound) {
+std::vector<Instruction> without_unused(std::span<const Instruction> instructions,
+                                        std::uint32_t bound) {
   constexpr std::size_t none = ~std::size_t{0};
   std::vector<std::size_t> definition(bound, none);
   for (std::size_t k = 0; k < instructions.size(); ++k) {
@@ -133,7 +134,8 @@ std::vector<Instruction> without_unused(std::span<const Instruction> instruction
   }
   std::vector<Instruction> used;
   for (const Instruction& i : instructions) {
-    if (is_remark(i) ? is_used[i.operands()[0]] : has_effect(i) || is_used[i.result()]) used.push_back(i);
+    if (is_remark(i) ? is_used[i.operands()[0]] : has_effect(i) || is_used[i.result()])
+      used.push_back(i);
   }
   return used;
 }

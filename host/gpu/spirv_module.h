@@ -37,15 +37,15 @@ struct Instruction {
 /// Bits of a 32-bit number, or a boolean, where it is known.
 using Constant = std::optional<std::uint32_t>;
 
-/// The value of an operation on integers or booleans; none where it is not known, or the operation not one of
-/// those that conditions are made of.
+/// The value of an operation on integers or booleans; none where it is not known, or the operation
+/// not one of those that conditions are made of.
 [[nodiscard]] Constant evaluate(spv::Op opcode, Constant a, Constant b);
 
 /// Empty where the code is none.
 [[nodiscard]] std::vector<Instruction> parse(std::span<const std::uint32_t> code);
 
-/// Those with an effect and what they use, directly or not, in a module of ids below `bound`. Every operand
-/// counts as an id: a literal number that happens to equal one keeps a little too much.
+/// Those with an effect and what they use, directly or not, in a module of ids below `bound`. Every
+/// operand counts as an id: a literal number that happens to equal one keeps a little too much.
 [[nodiscard]] std::vector<Instruction> without_unused(std::span<const Instruction> instructions,
                                                       std::uint32_t bound);
 
@@ -55,7 +55,8 @@ using Constant = std::optional<std::uint32_t>;
 
 /// The first word of an instruction.
 [[nodiscard]] constexpr std::uint32_t first_word(spv::Op opcode, std::size_t length) {
-  return (static_cast<std::uint32_t>(length) << spv::WordCountShift) | static_cast<std::uint32_t>(opcode);
+  return (static_cast<std::uint32_t>(length) << spv::WordCountShift) |
+         static_cast<std::uint32_t>(opcode);
 }
 
 }  // namespace facet::gpu::spirv

@@ -3,9 +3,11 @@
 namespace facet::gpu {
 
 Stopwatch::Stopwatch(const Device& device, std::uint32_t most_marks)
-    : seconds_per_tick_(device.has_timestamps() ? static_cast<double>(device.limits().timestampPeriod) * 1e-9
-                                                : 0),
-      pool_(device.handle(), vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)) {}
+    : seconds_per_tick_(device.has_timestamps()
+                            ? static_cast<double>(device.limits().timestampPeriod) * 1e-9
+                            : 0),
+      pool_(device.handle(),
+            vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)) {}
 
 void Stopwatch::stamp(const vk::raii::CommandBuffer& commands) {
   if (seconds_per_tick_ == 0) return;
@@ -21,7 +23,8 @@ void Stopwatch::start(const vk::raii::CommandBuffer& commands) {
 
 void Stopwatch::mark(const vk::raii::CommandBuffer& commands, std::size_t stage) {
   stages_.push_back(stage);
-  if (seconds_per_tick_ != 0) commands.resetQueryPool(*pool_, static_cast<std::uint32_t>(stages_.size()), 1);
+  if (seconds_per_tick_ != 0)
+    commands.resetQueryPool(*pool_, static_cast<std::uint32_t>(stages_.size()), 1);
   stamp(commands);
 }
 

@@ -7,7 +7,8 @@
 
 namespace facet::gpu {
 
-/// Time stages of one submission at a time. Where the device's queue has no timestamps, all times are 0.
+/// Time stages of one submission at a time. Where the device's queue has no timestamps, all times
+/// are 0.
 class Stopwatch {
  public:
   /// most_marks: of one submission.

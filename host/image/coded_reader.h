@@ -13,14 +13,16 @@
 namespace facet {
 
 /// The samples of a file by a Reader of its format's library, which has read_header(FILE*) and
-/// read_pixels(bytes), false on failure; width(), height(), sample_size() in bytes, once the header is read;
-/// and message(). format: `PNG`, for messages. Throws InputError where the file is missing, unreadable,
-/// damaged or too large.
+/// read_pixels(bytes), false on failure; width(), height(), sample_size() in bytes, once the header
+/// is read; and message(). format: `PNG`, for messages. Throws InputError where the file is
+/// missing, unreadable, damaged or too large.
 template <typename Reader>
 [[nodiscard]] CodedImage read_coded(const std::filesystem::path& path, std::string_view format) {
   check_input_file(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
+                                                           &std::fclose);
+  if (!in)
+    throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
   Reader reader;
   const auto expect = [&](bool read) {
     if (!read)

@@ -10,8 +10,8 @@ namespace facet {
 
 namespace {
 
-/// The channels of a layer's colour, by names of any case: R, G and B, or a luminance Y that serves for all
-/// three; -1 where there is none. layer: "" or "ViewLayer.Combined.".
+/// The channels of a layer's colour, by names of any case: R, G and B, or a luminance Y that serves
+/// for all three; -1 where there is none. layer: "" or "ViewLayer.Combined.".
 std::array<int, 3> channels_of_layer(const Image& image, const std::string& layer) {
   std::array<int, 3> channels{-1, -1, -1};
   int luminance = -1;

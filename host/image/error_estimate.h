@@ -1,5 +1,6 @@
 #pragma once
-// What a film's own variance says about the error of its image, and where that is not to be trusted.
+// What a film's own variance says about the error of its image, and where that is not to be
+// trusted.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,18 +9,20 @@
 
 namespace facet {
 
-/// Estimated relative mean square error of the image against its expectation, from the variance: the mean
-/// over pixels and channels of variance / (mean^2 + eps), eps = (0.01 mean luminance)^2. 0 without squares.
+/// Estimated relative mean square error of the image against its expectation, from the variance:
+/// the mean over pixels and channels of variance / (mean^2 + eps), eps = (0.01 mean luminance)^2. 0
+/// without squares.
 [[nodiscard]] double estimate_relmse(const Film& film);
 
 /// Pixels that are made of very few of their samples: the others are (nearly) black beside those.
 ///
-/// A pixel with such a light that its neighbours' samples have missed is far too bright, and the neighbours
-/// are too dark with no variance that tells of it; so where such pixels carry much of the variance, the true
-/// error is larger than the estimated one, by any factor.
+/// A pixel with such a light that its neighbours' samples have missed is far too bright, and the
+/// neighbours are too dark with no variance that tells of it; so where such pixels carry much of
+/// the variance, the true error is larger than the estimated one, by any factor.
 struct HeavyTails {
-  /// Pixels that rest on fewer samples than this are counted. Samples are as many equally bright ones among
-  /// black ones as give the pixel's relative variance: mean^2 / variance of the mean, over all channels.
+  /// Pixels that rest on fewer samples than this are counted. Samples are as many equally bright
+  /// ones among black ones as give the pixel's relative variance: mean^2 / variance of the mean,
+  /// over all channels.
   static constexpr double few = 4;
   /// Pixels of fewer samples say nothing.
   static constexpr std::uint32_t least_samples = 16;

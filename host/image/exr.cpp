@@ -25,9 +25,10 @@ Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   const auto width = static_cast<std::size_t>(window.max.x - window.min.x) + 1;
   const auto offset =
       static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width) + window.min.x;
-  // OpenEXR addresses pixels from the origin of the display window and takes its buffers without const.
-  auto* base =
-      reinterpret_cast<char*>(const_cast<float*>(plane) - offset);  // NOLINT(*-const-cast,*-reinterpret-cast)
+  // OpenEXR addresses pixels from the origin of the display window and takes its buffers without
+  // const.
+  auto* base = reinterpret_cast<char*>(const_cast<float*>(plane) -
+                                       offset);  // NOLINT(*-const-cast,*-reinterpret-cast)
   return {Imf::FLOAT, base, sizeof(float), sizeof(float) * width};
 }
 
@@ -38,7 +39,8 @@ struct ReadPart {
 };
 
 /// Those that are not deep and whose pixels lie where the first one's do.
-std::vector<ReadPart> parts_to_read(const std::filesystem::path& path, const Imf::MultiPartInputFile& file) {
+std::vector<ReadPart> parts_to_read(const std::filesystem::path& path,
+                                    const Imf::MultiPartInputFile& file) {
   std::vector<ReadPart> parts;
   for (int i = 0; i < file.parts(); ++i) {
     const Imf::Header& header = file.header(i);
@@ -49,7 +51,8 @@ std::vector<ReadPart> parts_to_read(const std::filesystem::path& path, const Imf
       parts.push_back({i, (header.hasName() ? header.name() : fmt::format("part{}", i + 1)) + "."});
     }
   }
-  if (parts.empty()) throw InputError(fmt::format("{}: is a deep image; flat ones are read", path.string()));
+  if (parts.empty())
+    throw InputError(fmt::format("{}: is a deep image; flat ones are read", path.string()));
   return parts;
 }
 
@@ -67,7 +70,8 @@ ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInput
   const std::vector<ReadPart> parts = parts_to_read(path, file);
   const Imf::Header& header = file.header(parts.front().number);
   if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
-    throw InputError(fmt::format("{}: is a cube map; latitude-longitude images are read", path.string()));
+    throw InputError(
+        fmt::format("{}: is a cube map; latitude-longitude images are read", path.string()));
   ExrHeader result{};
   for (const ReadPart& part : parts) {
     for (const std::string& name : channel_names(part, file.header(part.number)))
@@ -83,12 +87,13 @@ ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInput
   check_file_image_size(path, full_width, full_height, 1);
   result.width = static_cast<int>(width);
   result.height = static_cast<int>(height);
-  result.window = {window.min.x - display.min.x, window.min.y - display.min.y, static_cast<int>(full_width),
-                   static_cast<int>(full_height)};
+  result.window = {window.min.x - display.min.x, window.min.y - display.min.y,
+                   static_cast<int>(full_width), static_cast<int>(full_height)};
   for (auto a = header.begin(); a != header.end(); ++a) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
     // A part's name and kind say nothing of its image.
-    if (text != nullptr && std::string_view(a.name()) != "name" && std::string_view(a.name()) != "type")
+    if (text != nullptr && std::string_view(a.name()) != "name" &&
+        std::string_view(a.name()) != "type")
       result.metadata.emplace_back(a.name(), text->value());
   }
   return result;
@@ -127,12 +132,16 @@ auto read_file(const std::filesystem::path& path, const Read& read) {
   }
 }
 
-/// What OpenEXR writes goes through the file, which remembers a failure that OpenEXR's destructors swallow.
+/// What OpenEXR writes goes through the file, which remembers a failure that OpenEXR's destructors
+/// swallow.
 class ExrStream : public Imf::OStream {
  public:
-  ExrStream(AtomicFile& file, const std::filesystem::path& path) : OStream(path.c_str()), file_(file) {}
+  ExrStream(AtomicFile& file, const std::filesystem::path& path)
+      : OStream(path.c_str()), file_(file) {}
 
-  void write(const char* data, int size) override { file_.write(data, static_cast<std::size_t>(size)); }
+  void write(const char* data, int size) override {
+    file_.write(data, static_cast<std::size_t>(size));
+  }
   std::uint64_t tellp() override { return file_.position(); }
   void seekp(std::uint64_t position) override { file_.seek(position); }
 
@@ -151,8 +160,10 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   const Imath::Box2i data(origin, origin + Imath::V2i(image.width() - 1, image.height() - 1));
   const Imath::Box2i display(Imath::V2i(0, 0),
                              Imath::V2i(image.window.full_width - 1, image.window.full_height - 1));
-  Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
-  for (const auto& [name, text] : image.metadata) header.insert(name.c_str(), Imf::StringAttribute(text));
+  Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
+                     Imf::ZIP_COMPRESSION);
+  for (const auto& [name, text] : image.metadata)
+    header.insert(name.c_str(), Imf::StringAttribute(text));
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < image.channels().size(); ++c) {
     header.channels().insert(image.channels()[c], Imf::Channel(Imf::FLOAT));

@@ -25,8 +25,9 @@ Image decode(const CodedImage& coded) {
   for (std::size_t i = 0; i < coded.codes.size(); ++i) {
     const std::uint16_t code = coded.codes[i];
     image.plane(static_cast<int>(i % 3))[i / 3] =
-        coded.largest == 255 ? srgb_values()[code]
-                             : static_cast<float>(decode_srgb(static_cast<double>(code) / coded.largest));
+        coded.largest == 255
+            ? srgb_values()[code]
+            : static_cast<float>(decode_srgb(static_cast<double>(code) / coded.largest));
   }
   return image;
 }
@@ -37,15 +38,16 @@ ImageFormat output_format(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
   if (extension == ".exr") return ImageFormat::exr;
   if (extension == ".png") return ImageFormat::png;
-  throw InputError(
-      fmt::format("{}: the format follows the extension, which must be .exr or .png", path.string()));
+  throw InputError(fmt::format("{}: the format follows the extension, which must be .exr or .png",
+                               path.string()));
 }
 
 ImageFormat image_format(const std::filesystem::path& path) {
   check_input_file(path);
   std::string start(1000, '\0');
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  if (!in)
+    throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
   in.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(in.gcount()));
   if (start.starts_with("\x76\x2F\x31\x01")) return ImageFormat::exr;
@@ -87,11 +89,14 @@ void check_file_image_size(const std::filesystem::path& path, long long width, l
                            std::size_t channels) {
   if (width >= 1 && height >= 1 && width <= largest_file_side && height <= largest_file_side &&
       width * height <= largest_file_area &&
-      width * height <= largest_file_values / std::max<long long>(1, static_cast<long long>(channels)))
+      width * height <=
+          largest_file_values / std::max<long long>(1, static_cast<long long>(channels)))
     return;
-  throw InputError(fmt::format(
-      "{}: announces {}x{} pixels of {} channels; sides are read up to {}, in all {} pixels and {} values",
-      path.string(), width, height, channels, largest_file_side, largest_file_area, largest_file_values));
+  throw InputError(
+      fmt::format("{}: announces {}x{} pixels of {} channels; sides are read up to {}, in all {} "
+                  "pixels and {} values",
+                  path.string(), width, height, channels, largest_file_side, largest_file_area,
+                  largest_file_values));
 }
 
 void check_writable(const std::filesystem::path& path) {

@@ -1,6 +1,6 @@
 #pragma once
-// Image files. Writers write to a temporary name beside the target and rename it: a failed write never
-// destroys the file that was there.
+// Image files. Writers write to a temporary name beside the target and rename it: a failed write
+// never destroys the file that was there.
 #include <facet/images.h>
 
 #include <array>
@@ -18,10 +18,10 @@ enum class ImageFormat { exr, png, jpeg, hdr };
 /// Throws InputError where the file is missing or of another kind, which it names.
 [[nodiscard]] ImageFormat image_format(const std::filesystem::path& path);
 
-/// Reads all channels of a scan-line or tiled EXR as floats, and the text attributes of its header. Of
-/// several parts those are read that are not deep and of the size of the first such one; the channels of
-/// others than that one get the part's name as a layer, `part.R`. Throws InputError where the file is
-/// missing, unreadable or damaged.
+/// Reads all channels of a scan-line or tiled EXR as floats, and the text attributes of its header.
+/// Of several parts those are read that are not deep and of the size of the first such one; the
+/// channels of others than that one get the part's name as a layer, `part.R`. Throws InputError
+/// where the file is missing, unreadable or damaged.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
 /// Samples of a PNG or a JPEG as they stand in the file.
@@ -32,8 +32,8 @@ struct CodedImage {
   std::vector<std::uint16_t> codes;  ///< R, G, B; rows from the top
 };
 
-/// Without alpha, grey as three equal samples, and whatever the file says of its gamma and colours. Throws
-/// InputError where the file is missing, unreadable or damaged.
+/// Without alpha, grey as three equal samples, and whatever the file says of its gamma and colours.
+/// Throws InputError where the file is missing, unreadable or damaged.
 [[nodiscard]] CodedImage read_png(const std::filesystem::path& path);
 /// The same of a JPEG; its orientation (EXIF) is left aside.
 [[nodiscard]] CodedImage read_jpeg(const std::filesystem::path& path);
@@ -61,7 +61,8 @@ struct ExrHeader {
 /// Writes 32-bit float channels, ZIP-compressed, with the image's metadata as text attributes.
 void write_exr(const std::filesystem::path& path, const Image& image);
 
-/// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before encoding.
+/// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before
+/// encoding.
 void write_png(const std::filesystem::path& path, const Image& image, float exposure);
 
 /// Largest image that is read: pixels a side, pixels in all, and values in all channels.
@@ -73,7 +74,8 @@ inline constexpr long long largest_file_values = 1LL << 31;
 void check_file_image_size(const std::filesystem::path& path, long long width, long long height,
                            std::size_t channels);
 
-/// Throws InputError unless a file can be written at path; leaves nothing behind and changes nothing.
+/// Throws InputError unless a file can be written at path; leaves nothing behind and changes
+/// nothing.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace facet

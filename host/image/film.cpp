@@ -39,7 +39,8 @@ double variance_of_mean(double sum, double squares, double n) {
 Image develop(const Film& film, bool with_variance) {
   std::vector<std::string> channels{"R", "G", "B"};
   if (with_variance) {
-    for (const char* name : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"})
+    for (const char* name :
+         {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"})
       channels.emplace_back(name);
   }
   Image image(film.width, film.height, channels);

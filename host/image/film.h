@@ -7,7 +7,8 @@ namespace facet {
 /// All sums zero. window: where the film lies in the whole image.
 [[nodiscard]] Film make_film(int width, int height, const ImageWindow& window, bool with_squares);
 
-/// Variance of the mean of n samples from the sums of values and of squares; 0 for fewer than two samples.
+/// Variance of the mean of n samples from the sums of values and of squares; 0 for fewer than two
+/// samples.
 [[nodiscard]] double variance_of_mean(double sum, double squares, double n);
 
 }  // namespace facet

@@ -17,7 +17,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 /// A picture of G. Ward's Radiance, as its manual "The Radiance Picture File Format" describes it.
 class HdrReader {
  public:
-  HdrReader(const std::filesystem::path& path, std::string_view bytes) : path_(path), rest_(bytes) {}
+  HdrReader(const std::filesystem::path& path, std::string_view bytes)
+      : path_(path), rest_(bytes) {}
 
   [[nodiscard]] Image read() {
     const auto [width, height] = read_header();

@@ -9,7 +9,8 @@ Image::Image(int width, int height, std::vector<std::string> channels)
       width_(width),
       height_(height),
       channels_(std::move(channels)),
-      data_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels_.size()) {}
+      data_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels_.size()) {
+}
 
 int Image::find_channel(const std::string& name) const {
   const auto found = std::find(channels_.begin(), channels_.end(), name);

@@ -11,8 +11,8 @@ namespace facet {
 
 namespace {
 
-/// A JPEG's samples. libjpeg leaves by longjmp on an error: nothing that has a destructor may live in the
-/// functions that call it.
+/// A JPEG's samples. libjpeg leaves by longjmp on an error: nothing that has a destructor may live
+/// in the functions that call it.
 class JpegReader {
  public:
   JpegReader() : info_{}, handlers_{} {
@@ -51,7 +51,9 @@ class JpegReader {
   [[nodiscard]] const char* message() const { return message_; }
 
  private:
-  static JpegReader& reader_of(j_common_ptr info) { return *static_cast<JpegReader*>(info->client_data); }
+  static JpegReader& reader_of(j_common_ptr info) {
+    return *static_cast<JpegReader*>(info->client_data);
+  }
 
   [[noreturn]] static void on_error(j_common_ptr info) {
     info->err->format_message(info, reader_of(info).message_);
@@ -59,7 +61,8 @@ class JpegReader {
   }
   /// libjpeg would make up what is missing.
   static void on_warning(j_common_ptr info, int level) {
-    if (level < 0 && (info->err->msg_code == JWRN_JPEG_EOF || info->err->msg_code == JWRN_HIT_MARKER))
+    if (level < 0 &&
+        (info->err->msg_code == JWRN_JPEG_EOF || info->err->msg_code == JWRN_HIT_MARKER))
       on_error(info);
   }
 
@@ -71,6 +74,8 @@ class JpegReader {
 
 }  // namespace
 
-CodedImage read_jpeg(const std::filesystem::path& path) { return read_coded<JpegReader>(path, "JPEG"); }
+CodedImage read_jpeg(const std::filesystem::path& path) {
+  return read_coded<JpegReader>(path, "JPEG");
+}
 
 }  // namespace facet

@@ -33,8 +33,8 @@ struct PngFile : png_image {
   PngFile& operator=(const PngFile&) = delete;
 };
 
-/// The samples of a PNG as they are: libpng's simplified reader would apply gamma and lay what is transparent
-/// over a background.
+/// The samples of a PNG as they are: libpng's simplified reader would apply gamma and lay what is
+/// transparent over a background.
 class PngReader {
  public:
   PngReader()
@@ -74,7 +74,9 @@ class PngReader {
     png_read_end(png_, nullptr);
     return true;
   }
-  [[nodiscard]] std::size_t sample_size() const { return png_get_bit_depth(png_, info_) == 16 ? 2 : 1; }
+  [[nodiscard]] std::size_t sample_size() const {
+    return png_get_bit_depth(png_, info_) == 16 ? 2 : 1;
+  }
   [[nodiscard]] png_uint_32 width() const { return png_get_image_width(png_, info_); }
   [[nodiscard]] png_uint_32 height() const { return png_get_image_height(png_, info_); }
   [[nodiscard]] const std::string& message() const { return message_; }
@@ -95,8 +97,10 @@ class PngReader {
 std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
   const float factor = std::exp2(exposure);
   std::vector<std::uint8_t> pixels;
-  pixels.reserve(3 * static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
-  const int channels[3] = {image.find_channel("R"), image.find_channel("G"), image.find_channel("B")};
+  pixels.reserve(3 * static_cast<std::size_t>(image.width()) *
+                 static_cast<std::size_t>(image.height()));
+  const int channels[3] = {image.find_channel("R"), image.find_channel("G"),
+                           image.find_channel("B")};
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       for (const int c : channels) pixels.push_back(encode_srgb(image.at(x, y, c) * factor));
@@ -107,7 +111,9 @@ std::vector<std::uint8_t> encode_pixels(const Image& image, float exposure) {
 
 }  // namespace
 
-CodedImage read_png(const std::filesystem::path& path) { return read_coded<PngReader>(path, "PNG"); }
+CodedImage read_png(const std::filesystem::path& path) {
+  return read_coded<PngReader>(path, "PNG");
+}
 
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);
@@ -125,8 +131,8 @@ void write_png(const std::filesystem::path& path, const Image& image, float expo
   const bool closed = std::fclose(out) == 0;
   if (written && !closed) error = errno;
   if (!written || !closed)
-    throw InputError(
-        fmt::format("{}: cannot write: {}", path.string(), error != 0 ? std::strerror(error) : png.message));
+    throw InputError(fmt::format("{}: cannot write: {}", path.string(),
+                                 error != 0 ? std::strerror(error) : png.message));
   file.commit();
 }
 

@@ -27,7 +27,8 @@ bool set_word(const Words& words, const std::string& text, Value& value) {
 template <typename Number>
 bool set_integer(const std::string& text, long long least, Number& number) {
   const auto value = parse_integer(text);
-  if (!value || *value < least || *value > static_cast<long long>(std::numeric_limits<Number>::max()))
+  if (!value || *value < least ||
+      *value > static_cast<long long>(std::numeric_limits<Number>::max()))
     return false;
   number = static_cast<Number>(*value);
   return true;
@@ -70,42 +71,51 @@ constexpr std::array fields{
     RecordField{"facet.backend", "backend", false, "--backend", "backend", true, any_text,
                 [](const R& r) -> Text { return r.backend; },
                 [](R& r, const std::string& t) { return set_text(t, r.backend); }},
-    RecordField{"facet.precision", "precision", false, "--precision", "precision", true, "float or double",
-                [](const R& r) -> Text { return word_of(precision_words, r.precision); },
-                [](R& r, const std::string& t) { return set_word(precision_words, t, r.precision); }},
-    RecordField{"facet.integrator", "integrator", false, "--integrator", "integrator", true, any_text,
-                [](const R& r) -> Text { return r.integrator; },
+    RecordField{
+        "facet.precision", "precision", false, "--precision", "precision", true, "float or double",
+        [](const R& r) -> Text { return word_of(precision_words, r.precision); },
+        [](R& r, const std::string& t) { return set_word(precision_words, t, r.precision); }},
+    RecordField{"facet.integrator", "integrator", false, "--integrator", "integrator", true,
+                any_text, [](const R& r) -> Text { return r.integrator; },
                 [](R& r, const std::string& t) { return set_text(t, r.integrator); }},
     RecordField{"facet.maxDepth", "max_depth", true, "--max-depth", "maximum depth", true,
-                "an integer from -1 on", [](const R& r) -> Text { return fmt::format("{}", r.max_depth); },
+                "an integer from -1 on",
+                [](const R& r) -> Text { return fmt::format("{}", r.max_depth); },
                 [](R& r, const std::string& t) { return set_integer(t, -1, r.max_depth); }},
-    RecordField{"facet.heuristic", "heuristic", false, "--heuristic", "heuristic", true, "balance or power",
-                [](const R& r) -> Text { return word_of(heuristic_words, r.heuristic); },
-                [](R& r, const std::string& t) { return set_word(heuristic_words, t, r.heuristic); }},
     RecordField{
-        "facet.emitterSelection", "emitter_selection", false, "--emitter-selection", "emitter selection",
-        true, "uniform or power",
+        "facet.heuristic", "heuristic", false, "--heuristic", "heuristic", true, "balance or power",
+        [](const R& r) -> Text { return word_of(heuristic_words, r.heuristic); },
+        [](R& r, const std::string& t) { return set_word(heuristic_words, t, r.heuristic); }},
+    RecordField{
+        "facet.emitterSelection", "emitter_selection", false, "--emitter-selection",
+        "emitter selection", true, "uniform or power",
         [](const R& r) -> Text { return word_of(emitter_selection_words, r.emitter_selection); },
-        [](R& r, const std::string& t) { return set_word(emitter_selection_words, t, r.emitter_selection); }},
+        [](R& r, const std::string& t) {
+          return set_word(emitter_selection_words, t, r.emitter_selection);
+        }},
     RecordField{"facet.sampler", "sampler", false, "--sampler", "sampler", true, any_text,
                 [](const R& r) -> Text { return r.sampler; },
                 [](R& r, const std::string& t) { return set_text(t, r.sampler); }},
-    RecordField{"facet.sampling", "sampling", false, "--sampling", "lobe sampling", true,
-                "ndf, visible or uniform",
-                [](const R& r) -> Text { return word_of(lobe_sampling_words, r.sampling); },
-                [](R& r, const std::string& t) { return set_word(lobe_sampling_words, t, r.sampling); }},
     RecordField{
-        "facet.masking", "masking", false, "--masking", "masking", true, "rational or exact",
-        [](const R& r) -> Text { return r.masking ? Text(word_of(masking_words, *r.masking)) : Text(); },
-        [](R& r, const std::string& t) { return set_word(masking_words, t, r.masking); }},
-    RecordField{"facet.samples", "samples", false, "--sample-range", "samples", false, "ascending ranges A:B",
-                [](const R& r) -> Text { return r.samples.text(); },
+        "facet.sampling", "sampling", false, "--sampling", "lobe sampling", true,
+        "ndf, visible or uniform",
+        [](const R& r) -> Text { return word_of(lobe_sampling_words, r.sampling); },
+        [](R& r, const std::string& t) { return set_word(lobe_sampling_words, t, r.sampling); }},
+    RecordField{"facet.masking", "masking", false, "--masking", "masking", true,
+                "rational or exact",
+                [](const R& r) -> Text {
+                  return r.masking ? Text(word_of(masking_words, *r.masking)) : Text();
+                },
+                [](R& r, const std::string& t) { return set_word(masking_words, t, r.masking); }},
+    RecordField{"facet.samples", "samples", false, "--sample-range", "samples", false,
+                "ascending ranges A:B", [](const R& r) -> Text { return r.samples.text(); },
                 [](R& r, const std::string& t) {
                   const auto samples = SampleRanges::parse(t);
                   r.samples = samples.value_or(SampleRanges());
                   return samples.has_value();
                 }},
-    RecordField{"facet.spp", "spp", true, nullptr, "samples per pixel", false, "the number of facet.samples",
+    RecordField{"facet.spp", "spp", true, nullptr, "samples per pixel", false,
+                "the number of facet.samples",
                 [](const R& r) -> Text { return fmt::format("{}", r.samples.count()); },
                 [](R& r, const std::string& t) { return parse_integer(t) == r.samples.count(); }},
     RecordField{"facet.seed", "seed", true, "--seed", "seed", true, "an integer from 0 on",
@@ -161,12 +171,14 @@ ParsedRecord parse_record(const Metadata& metadata) {
 }
 
 const std::string* find_metadata(const Metadata& metadata, const std::string& key) {
-  const auto found = std::ranges::find_if(metadata, [&](const auto& entry) { return entry.first == key; });
+  const auto found =
+      std::ranges::find_if(metadata, [&](const auto& entry) { return entry.first == key; });
   return found == metadata.end() ? nullptr : &found->second;
 }
 
 std::string shell_word(const std::string& word) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -179,7 +191,8 @@ std::string rerun_command(const RenderRecord& record, const ImageSize& size, int
 
 std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x, int y) {
   const RenderRecord& record = parsed.record;
-  if (!parsed.damaged.empty() || record.scene.empty() || record.samples.list().size() > 1) return "";
+  if (!parsed.damaged.empty() || record.scene.empty() || record.samples.list().size() > 1)
+    return "";
   std::string command =
       fmt::format("facet render --pixel={},{} --resolution={}x{}", x, y, size.width, size.height);
   for (const RecordField& field : fields) {

@@ -1,6 +1,7 @@
 #pragma once
-// The table of provenance: how each entry of a RenderRecord is called and what it means. Whatever reads or
-// writes a record follows the table: EXR headers, JSON reports, commands that render again, merging.
+// The table of provenance: how each entry of a RenderRecord is called and what it means. Whatever
+// reads or writes a record follows the table: EXR headers, JSON reports, commands that render
+// again, merging.
 #include <facet/film.h>
 
 #include <span>
@@ -53,12 +54,14 @@ struct ParsedRecord {
 /// A word as a POSIX shell reads it back: quoted where it must be.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
-/// The command that renders the pixel (x, y) of the whole image again, with the record's samples and
-/// settings. Empty where no single command does: for a record without a scene, or with gaps between its
-/// samples.
-[[nodiscard]] std::string rerun_command(const RenderRecord& record, const ImageSize& size, int x, int y);
+/// The command that renders the pixel (x, y) of the whole image again, with the record's samples
+/// and settings. Empty where no single command does: for a record without a scene, or with gaps
+/// between its samples.
+[[nodiscard]] std::string rerun_command(const RenderRecord& record, const ImageSize& size, int x,
+                                        int y);
 /// The same with those entries alone that a header has; empty also where one of them is damaged.
-[[nodiscard]] std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x, int y);
+[[nodiscard]] std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x,
+                                        int y);
 
 /// Whether two renders hold some of the same samples, so that their errors are not independent.
 [[nodiscard]] bool share_samples(const RenderRecord& a, const RenderRecord& b);

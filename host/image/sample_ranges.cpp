@@ -15,7 +15,8 @@ std::optional<SampleRanges> SampleRanges::parse(std::string_view text) {
     if (colon == std::string_view::npos) return std::nullopt;
     const auto begin = parse_integer(item.substr(0, colon));
     const auto end = parse_integer(item.substr(colon + 1));
-    if (!begin || !end || *begin < least || *begin >= *end || *end > (1LL << 30)) return std::nullopt;
+    if (!begin || !end || *begin < least || *begin >= *end || *end > (1LL << 30))
+      return std::nullopt;
     least = *end;
     ranges.add(SampleRange{static_cast<std::uint32_t>(*begin), static_cast<std::uint32_t>(*end)});
   }
@@ -30,8 +31,8 @@ void SampleRanges::add(const SampleRange& range) {
     whole = {std::min(r.begin, whole.begin), std::max(r.end, whole.end)};
     return true;
   });
-  const auto place =
-      std::find_if(list_.begin(), list_.end(), [&](const SampleRange& r) { return r.begin > whole.begin; });
+  const auto place = std::find_if(list_.begin(), list_.end(),
+                                  [&](const SampleRange& r) { return r.begin > whole.begin; });
   list_.insert(place, whole);
 }
 

@@ -31,14 +31,17 @@ constexpr double forgiven_share = 1e-5;
 /// A density whose integral is this close to 1 is taken to integrate to 1.
 constexpr double unit_tolerance = 1e-4;
 
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// Calls body with all samples, in portions of their own seeds.
 template <typename Body>
 void for_each_draw(BsdfEvaluator& bsdf, const vec3& wo, std::uint32_t count, std::uint32_t seed,
                    const Body& body) {
   for (std::uint32_t done = 0; done < count; done += samples_per_call, ++seed) {
-    for (const BsdfDraw& draw : bsdf.sample(wo, std::min(samples_per_call, count - done), seed)) body(draw);
+    for (const BsdfDraw& draw : bsdf.sample(wo, std::min(samples_per_call, count - done), seed))
+      body(draw);
   }
 }
 
@@ -147,7 +150,8 @@ ImagePlan plan_image(int width, int height, std::uint32_t sample_count) {
   const int scale = std::max(1, static_cast<int>(std::sqrt(pixels / shape)));
   plan.width *= scale;
   plan.height *= scale;
-  plan.passes = std::max(2U, static_cast<std::uint32_t>(std::ceil(sample_count / (shape * scale * scale))));
+  plan.passes =
+      std::max(2U, static_cast<std::uint32_t>(std::ceil(sample_count / (shape * scale * scale))));
   return plan;
 }
 
@@ -206,7 +210,8 @@ Verdict chi_squared_test(const SphereHistogram& h, double least_expected, double
     return v;
   }
   std::vector<std::pair<double, double>> bins;
-  for (std::size_t i = 0; i < h.expected.size(); ++i) bins.emplace_back(h.expected[i], h.observed[i]);
+  for (std::size_t i = 0; i < h.expected.size(); ++i)
+    bins.emplace_back(h.expected[i], h.observed[i]);
   if (expected < h.samples * (1 - unit_tolerance))
     bins.emplace_back(h.samples - expected, h.samples - observed);
   const Pooled pooled = pool(std::move(bins), least_expected, h.samples);

@@ -17,8 +17,8 @@ using reference::Watch;
 namespace {
 
 constexpr std::uint32_t perturbation_count = 4;
-/// A decision that four perturbed runs did not move is still at rounding level within this margin: 4 ulps of
-/// the numbers compared.
+/// A decision that four perturbed runs did not move is still at rounding level within this margin:
+/// 4 ulps of the numbers compared.
 constexpr double least_margin = 4 * 1.1920929e-7;
 /// Decisions turned one after the other at most, and attempts at most.
 constexpr int step_limit = 4;
@@ -58,25 +58,28 @@ class Explainer {
     return {radiance, watch.decisions()};
   }
 
-  /// Runs the sample, and perturbed, with what is forced now; whether it then is the kernels'. Keeps the
-  /// decisions, ranked, in `decisions_`.
+  /// Runs the sample, and perturbed, with what is forced now; whether it then is the kernels'.
+  /// Keeps the decisions, ranked, in `decisions_`.
   bool try_forced(Explanation& result) {
     ++attempts_;
     const Run base = run(0, forced_);
     reference_ = base.radiance;
-    // Perturbed runs are held to the same decisions: what they tell is how the value moves along these. Only
-    // where rounding is so amplified that a ray meets other triangles altogether do they part.
+    // Perturbed runs are held to the same decisions: what they tell is how the value moves along
+    // these. Only where rounding is so amplified that a ray meets other triangles altogether do
+    // they part.
     ForcedOutcomes same_branches = forced_;
     for (const auto& [key, decision] : base.decisions) same_branches[key] = decision.outcome;
     std::vector<Run> perturbed;
-    for (std::uint32_t p = 1; p <= perturbation_count; ++p) perturbed.push_back(run(p, same_branches));
+    for (std::uint32_t p = 1; p <= perturbation_count; ++p)
+      perturbed.push_back(run(p, same_branches));
     result.spread = Vec3<double>(0);
     for (const Run& r : perturbed) {
       result.spread =
           glm::max(result.spread, glm::abs(Vec3<double>(r.radiance) - Vec3<double>(base.radiance)));
     }
     rank_decisions(base, perturbed);
-    return agrees(kernels_, base.radiance, tolerance_.spread_factor * result.spread, tolerance_.relative);
+    return agrees(kernels_, base.radiance, tolerance_.spread_factor * result.spread,
+                  tolerance_.relative);
   }
 
   /// Sorts the decisions, those decided by least, measured by their own rounding, first.
@@ -92,20 +95,22 @@ class Explainer {
       }
       decisions_.push_back({key, !decision.outcome, decision.margin, spread});
     }
-    std::stable_sort(decisions_.begin(), decisions_.end(),
-                     [&](const TurnedDecision& a, const TurnedDecision& b) { return ratio(a) < ratio(b); });
+    std::stable_sort(
+        decisions_.begin(), decisions_.end(),
+        [&](const TurnedDecision& a, const TurnedDecision& b) { return ratio(a) < ratio(b); });
   }
 
   /// A decision's margin in units of what rounding can do to it; up to 1 it is at rounding level.
   [[nodiscard]] double ratio(const TurnedDecision& t) const {
-    // An exact 0 that no rounding moves is the same 0 for every renderer; only among equal distances the
-    // order is anybody's.
+    // An exact 0 that no rounding moves is the same 0 for every renderer; only among equal
+    // distances the order is anybody's.
     if (t.margin == 0 && t.spread == 0 && t.key.kind != DecisionKind::order)
       return std::numeric_limits<double>::infinity();
     return std::abs(t.margin) / std::max(tolerance_.spread_factor * t.spread, least_margin);
   }
 
-  /// Turns decisions at rounding level, a number of them one after the other: a turned one may bring others.
+  /// Turns decisions at rounding level, a number of them one after the other: a turned one may
+  /// bring others.
   bool search(int steps, Explanation& result) {
     const std::vector<TurnedDecision> candidates = decisions_;
     const Vec3<float> before = reference_;
@@ -118,7 +123,8 @@ class Explainer {
       // A decision that changes nothing leads nowhere; but behind a triangle may lie another.
       const bool leads_on = reference_ != before || candidate.key.kind == DecisionKind::edge;
       if (steps > 1 && leads_on && search(steps - 1, result)) return true;
-      for (std::size_t i = turned_before; i < result.turned.size(); ++i) forced_.erase(result.turned[i].key);
+      for (std::size_t i = turned_before; i < result.turned.size(); ++i)
+        forced_.erase(result.turned[i].key);
       result.turned.resize(turned_before);
     }
     return false;
@@ -129,8 +135,8 @@ class Explainer {
     result.turned.push_back(decision);
   }
 
-  /// A ray that crosses an edge leaves one triangle and enters its neighbour: turns the nearest such decision
-  /// of the same ray.
+  /// A ray that crosses an edge leaves one triangle and enters its neighbour: turns the nearest
+  /// such decision of the same ray.
   void turn_beyond(const TurnedDecision& edge, const std::vector<TurnedDecision>& decisions,
                    Explanation& result) {
     for (const TurnedDecision& other : decisions) {
@@ -186,8 +192,8 @@ bool agrees(const Vec3<float>& kernels, const Vec3<float>& reference, const Vec3
   return true;
 }
 
-Explanation explain(const World<float>& world, int x, int y, const SampleId& id, const Vec3<float>& kernels,
-                    const Tolerance& tolerance, bool turn) {
+Explanation explain(const World<float>& world, int x, int y, const SampleId& id,
+                    const Vec3<float>& kernels, const Tolerance& tolerance, bool turn) {
   return Explainer(world, x, y, id, kernels, tolerance).explain(turn);
 }
 
@@ -197,10 +203,12 @@ std::string describe(const World<float>& world, const TurnedDecision& t) {
   std::string item = item_text(world, t.key);
   if (!item.empty()) item = " of " + item;
   const bool every = world.integrator.type.every_emitter;
-  const std::string emitter = every ? fmt::format("sample of emitter {}", t.key.emitter) : "emitter sample";
-  const std::string place = shadow ? fmt::format("the {} of interaction", emitter) : "the ray to interaction";
-  return fmt::format("{}{}, at {} {}: margin {:.2g}, spread {:.2g}", decision_name(t.key.kind), item, place,
-                     k, t.margin, t.spread);
+  const std::string emitter =
+      every ? fmt::format("sample of emitter {}", t.key.emitter) : "emitter sample";
+  const std::string place =
+      shadow ? fmt::format("the {} of interaction", emitter) : "the ray to interaction";
+  return fmt::format("{}{}, at {} {}: margin {:.2g}, spread {:.2g}", decision_name(t.key.kind),
+                     item, place, k, t.margin, t.spread);
 }
 
 }  // namespace facet::parity

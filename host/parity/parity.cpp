@@ -31,7 +31,9 @@ constexpr int searched_faults = 200;
 constexpr double untestable_spread = 0.1;
 constexpr double block_significance = 0.01;
 
-float largest_difference(const Vec3<float>& a, const Vec3<float>& b) { return largest_component(a - b); }
+float largest_difference(const Vec3<float>& a, const Vec3<float>& b) {
+  return largest_component(a - b);
+}
 
 bool equal_bits(const Vec3<float>& a, const Vec3<float>& b) {
   return glm::floatBitsToUint(a) == glm::floatBitsToUint(b);
@@ -65,14 +67,15 @@ class Comparison {
     ParityReport& r = report_;
     r.suspects = spectrum_.suspects(float_world_.scene);
     if (!differences_.empty()) {
-      const auto rank =
-          differences_.begin() + static_cast<std::ptrdiff_t>((differences_.size() - 1) * 999 / 1000);
+      const auto rank = differences_.begin() +
+                        static_cast<std::ptrdiff_t>((differences_.size() - 1) * 999 / 1000);
       std::nth_element(differences_.begin(), rank, differences_.end());
       r.percentile_difference = static_cast<double>(*rank);
     }
-    std::sort(r.diverged.begin(), r.diverged.end(), [](const DivergedSample& a, const DivergedSample& b) {
-      return std::tie(a.sample, a.y, a.x) < std::tie(b.sample, b.y, b.x);
-    });
+    std::sort(r.diverged.begin(), r.diverged.end(),
+              [](const DivergedSample& a, const DivergedSample& b) {
+                return std::tie(a.sample, a.y, a.x) < std::tie(b.sample, b.y, b.x);
+              });
     compare_films(kernel_film);
     compare_precisions();
     return std::move(report_);
@@ -91,8 +94,10 @@ class Comparison {
     const CropSample at(settings_, i, sample);
     BranchHash f_branches;
     BranchHash d_branches;
-    const Vec3<float> f = Tracer<float, BranchHash>(float_world_, at.id, f_branches).radiance(at.x, at.y);
-    const Vec3<double> d = Tracer<double, BranchHash>(double_world_, at.id, d_branches).radiance(at.x, at.y);
+    const Vec3<float> f =
+        Tracer<float, BranchHash>(float_world_, at.id, f_branches).radiance(at.x, at.y);
+    const Vec3<double> d =
+        Tracer<double, BranchHash>(double_world_, at.id, d_branches).radiance(at.x, at.y);
     const float weight = float_world_.camera.filter_sample(at.id).weight;
     add_to(float_film_.pixels[i], f, weight);
     add_to(kernel_film_.pixels[i], g, weight);
@@ -120,9 +125,11 @@ class Comparison {
     share.differences.push_back(difference);
     bool explained = true;
     if (agrees(g, f, Vec3<double>(0), report_.tolerance.relative)) {
-      counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
+      counts.largest_difference =
+          std::max(counts.largest_difference, static_cast<double>(difference));
     } else {
-      // Where a fault is plain, the search for turned decisions would take long and tell nothing new.
+      // Where a fault is plain, the search for turned decisions would take long and tell nothing
+      // new.
       const bool turn = unexplained_ < searched_faults;
       const Explanation e = explain(float_world_, at.x, at.y, at.id, g, report_.tolerance, turn);
       explained = e.explained();
@@ -132,11 +139,13 @@ class Comparison {
         if (report_.tolerance.spread_factor * largest_component(e.spread) >
             untestable_spread * static_cast<double>(size))
           ++counts.untestable;
-        counts.largest_difference = std::max(counts.largest_difference, static_cast<double>(difference));
+        counts.largest_difference =
+            std::max(counts.largest_difference, static_cast<double>(difference));
       } else {
         DivergedSample diverged{at.x, at.y, at.id.index, g, f, e.turned, {}, {}};
         if (e.nearest) diverged.nearest = describe(float_world_, *e.nearest);
-        for (const TurnedDecision& t : e.turned) diverged.reasons.push_back(describe(float_world_, t));
+        for (const TurnedDecision& t : e.turned)
+          diverged.reasons.push_back(describe(float_world_, t));
         counts.diverged.push_back(std::move(diverged));
       }
     }
@@ -183,11 +192,12 @@ class Comparison {
       for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
         // Filters with negative lobes cancel: the size of what was added is the square's root.
-        const double size = std::sqrt(own.squares[k] * std::max(1.0, static_cast<double>(own.samples)));
+        const double size =
+            std::sqrt(own.squares[k] * std::max(1.0, static_cast<double>(own.samples)));
         const double difference = std::abs(own.values[k] - kernels.values[k]);
         if (difference > 0)
-          report_.film_difference =
-              std::max(report_.film_difference, difference / std::max(size, static_cast<double>(ulp(0.0F))));
+          report_.film_difference = std::max(
+              report_.film_difference, difference / std::max(size, static_cast<double>(ulp(0.0F))));
         identical = identical && g.at(x, y, c) == f.at(x, y, c);
         // Squares of values far below the image's largest underflow in the kernels' floats.
         if (film.has_squares && own.squares[k] > 1e-20 * largest_square)
@@ -220,9 +230,11 @@ class Comparison {
     const int across = (float_film_.width + block_side - 1) / block_side;
     const int down = (float_film_.height + block_side - 1) / block_side;
     const auto tests = static_cast<std::uint64_t>(3) * static_cast<std::uint64_t>(across * down);
-    r.critical_z = two_sided_normal_quantile(statistics::sidak_significance(block_significance, tests));
+    r.critical_z =
+        two_sided_normal_quantile(statistics::sidak_significance(block_significance, tests));
     for (int block = 0; block < across * down; ++block)
-      r.block_z = std::max(r.block_z, largest_z(block % across * block_side, block / across * block_side));
+      r.block_z =
+          std::max(r.block_z, largest_z(block % across * block_side, block / across * block_side));
   }
 
   /// z of the means of F and D over the block at (x0, y0), the largest of the channels.
@@ -265,8 +277,9 @@ class Comparison {
 
 }  // namespace
 
-ParityReport check_parity(const Scene& scene, const RenderSettings& settings, const Tolerance& tolerance,
-                          Rendering& kernels, const ParityProgress& progress) {
+ParityReport check_parity(const Scene& scene, const RenderSettings& settings,
+                          const Tolerance& tolerance, Rendering& kernels,
+                          const ParityProgress& progress) {
   Comparison comparison(scene, settings, tolerance);
   const double total = settings.samples.end - settings.samples.begin;
   for (std::uint32_t sample = settings.samples.begin; sample < settings.samples.end; ++sample) {

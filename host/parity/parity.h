@@ -1,6 +1,7 @@
 #pragma once
-// The kernels against the reference, sample by sample: G (kernels), F (reference in float), D (in double) of
-// the same numbers. G - F is what the code differs by, F - D what precision costs; noise cancels in both.
+// The kernels against the reference, sample by sample: G (kernels), F (reference in float), D (in
+// double) of the same numbers. G - F is what the code differs by, F - D what precision costs; noise
+// cancels in both.
 #include <facet/backend.h>
 
 #include <functional>
@@ -21,9 +22,9 @@ struct DivergedSample {
   std::string nearest;               ///< the decision that was decided by least, in words
 };
 
-/// How much more often a part of the renderer stands in unexplained samples than in others: A. Ochiai's
-/// coefficient, as in spectrum-based fault localisation (R. Abreu et al. 2007); 1: in all of these and in no
-/// other.
+/// How much more often a part of the renderer stands in unexplained samples than in others: A.
+/// Ochiai's coefficient, as in spectrum-based fault localisation (R. Abreu et al. 2007); 1: in all
+/// of these and in no other.
 struct Suspect {
   std::string part;
   double score = 0;
@@ -36,9 +37,9 @@ struct ParityReport {
   std::uint64_t samples = 0;
   std::uint64_t identical = 0;        ///< samples equal in all bits
   std::uint64_t ill_conditioned = 0;  ///< samples that agree by their spread only
-  std::uint64_t untestable = 0;       ///< of these, samples whose tolerance is beyond 10 % of themselves
-  double largest_difference = 0;      ///< |G - F| / |F| over samples that agree
-  double percentile_difference = 0;   ///< its 99.9th percentile over all samples
+  std::uint64_t untestable = 0;  ///< of these, samples whose tolerance is beyond 10 % of themselves
+  double largest_difference = 0;     ///< |G - F| / |F| over samples that agree
+  double percentile_difference = 0;  ///< its 99.9th percentile over all samples
   std::vector<DivergedSample> diverged;
   std::vector<Suspect> suspects;  ///< of unexplained samples, the likeliest first
   std::uint64_t bad_kernel_samples = 0;
@@ -53,10 +54,10 @@ struct ParityReport {
   std::uint64_t same_branches = 0;  ///< samples for which F and D decided alike
   double precision_rms = 0;         ///< RMS of F - D over them
   double largest_precision = 0;     ///< largest |F - D| over them, W sr^-1 m^-2
-  bool noise_known = false;         ///< at least two samples a pixel: noise and blocks can be tested
-  double noise_1024 = 0;            ///< RMS of the noise of 1024 samples a pixel
-  double image_rms = 0;             ///< RMS of the samples themselves, W sr^-1 m^-2
-  double block_z = 0;               ///< largest z of F against D over blocks of 16x16 pixels
+  bool noise_known = false;  ///< at least two samples a pixel: noise and blocks can be tested
+  double noise_1024 = 0;     ///< RMS of the noise of 1024 samples a pixel
+  double image_rms = 0;      ///< RMS of the samples themselves, W sr^-1 m^-2
+  double block_z = 0;        ///< largest z of F against D over blocks of 16x16 pixels
   double critical_z = 0;
 
   [[nodiscard]] std::uint64_t unexplained() const;
@@ -70,8 +71,8 @@ struct ParityReport {
 
 using ParityProgress = std::function<bool(double done)>;
 
-/// Compares all samples that the settings name. kernels: a rendering of the scene by these settings that has
-/// not begun.
+/// Compares all samples that the settings name. kernels: a rendering of the scene by these settings
+/// that has not begun.
 [[nodiscard]] ParityReport check_parity(const Scene& scene, const RenderSettings& settings,
                                         const Tolerance& tolerance, Rendering& kernels,
                                         const ParityProgress& progress);

@@ -68,8 +68,8 @@ std::vector<Suspect> Spectrum::suspects(const Scene& scene) const {
   for (const auto& [feature, c] : by_feature_) {
     if (c.failing == 0) continue;
     const auto failing = static_cast<double>(c.failing);
-    const double score =
-        failing / std::sqrt(static_cast<double>(all_.failing) * (failing + static_cast<double>(c.passing)));
+    const double score = failing / std::sqrt(static_cast<double>(all_.failing) *
+                                             (failing + static_cast<double>(c.passing)));
     list.push_back({part_name(scene, feature), score, c.failing, c.passing});
   }
   std::stable_sort(list.begin(), list.end(),

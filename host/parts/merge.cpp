@@ -67,8 +67,8 @@ void check_inside(const PartSet& set, const SampleRange& range) {
   const SampleRanges asked(range);
   for (const PartFile& part : set.parts) {
     if (asked.missing_in(part.record.samples.hull()).empty()) continue;
-    throw InputError(fmt::format("{}: holds samples outside --sample-range {}:{}: {}", part.file, range.begin,
-                                 range.end, part.record.samples.text()));
+    throw InputError(fmt::format("{}: holds samples outside --sample-range {}:{}: {}", part.file,
+                                 range.begin, range.end, part.record.samples.text()));
   }
 }
 

@@ -6,8 +6,8 @@
 
 namespace facet {
 
-/// Parts that belong together, sorted by their samples: sums depend on the order of their terms, and that on
-/// a command line must not matter.
+/// Parts that belong together, sorted by their samples: sums depend on the order of their terms,
+/// and that on a command line must not matter.
 struct PartSet {
   std::vector<PartFile> parts;
   SampleRanges samples;  ///< of all parts
@@ -26,8 +26,8 @@ void check_inside(const PartSet& set, const SampleRange& range);
 /// Throws InputError where no part holds some sample of the range; without a range: of the hull.
 void check_whole(const PartSet& set, const std::optional<SampleRange>& range);
 
-/// The film of all samples, with squares if all parts have them. Its record is that of the first part, with
-/// all samples, devices, drivers, and the sum of the seconds.
+/// The film of all samples, with squares if all parts have them. Its record is that of the first
+/// part, with all samples, devices, drivers, and the sum of the seconds.
 [[nodiscard]] Film merge(const PartSet& set);
 
 }  // namespace facet

@@ -50,7 +50,8 @@ int choose_exponent(const Film& film, Sums sums) {
 class PairPlanes {
  public:
   /// Adds the channels' names to the list, for an image to be made of it.
-  static void name(std::vector<std::string>& channels, const std::string& channel, bool high_is_there) {
+  static void name(std::vector<std::string>& channels, const std::string& channel,
+                   bool high_is_there) {
     if (!high_is_there) channels.push_back(channel);
     channels.push_back(channel + ".low");
   }
@@ -68,7 +69,8 @@ class PairPlanes {
  private:
   static int find(const Image& image, const std::string& channel, const std::string& file) {
     const int index = image.find_channel(channel);
-    if (index < 0) throw InputError(fmt::format("{}: lacks the channel {} of a part", file, channel));
+    if (index < 0)
+      throw InputError(fmt::format("{}: lacks the channel {} of a part", file, channel));
     return index;
   }
   int high_;
@@ -77,11 +79,13 @@ class PairPlanes {
 
 void round_to_pairs(Film& film, Sums sums, int exponent) {
   for (PixelSums& pixel : film.pixels) {
-    for (double& sum : pixel.*sums) sum = std::ldexp(Pair(std::ldexp(sum, -exponent)).value(), exponent);
+    for (double& sum : pixel.*sums)
+      sum = std::ldexp(Pair(std::ldexp(sum, -exponent)).value(), exponent);
   }
 }
 
-void write_sums(Image& image, const Film& film, Sums sums, const std::string& prefix, int exponent) {
+void write_sums(Image& image, const Film& film, Sums sums, const std::string& prefix,
+                int exponent) {
   for (std::size_t c = 0; c < 3; ++c) {
     const PairPlanes planes(image, prefix + colors[c], "");
     for (std::size_t i = 0; i < film.pixels.size(); ++i)
@@ -92,7 +96,8 @@ void write_sums(Image& image, const Film& film, Sums sums, const std::string& pr
 void write_counts(Image& image, const Film& film, std::uint32_t PixelSums::*count,
                   const std::string& channel) {
   const PairPlanes planes(image, channel, "");
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) planes.set(image, i, Pair(film.pixels[i].*count));
+  for (std::size_t i = 0; i < film.pixels.size(); ++i)
+    planes.set(image, i, Pair(film.pixels[i].*count));
 }
 
 int read_exponent(const Image& image, const std::string& key, const std::string& file) {
@@ -113,19 +118,21 @@ void read_sums(Film& film, Sums sums, const Image& image, const std::string& pre
 }
 
 /// Throws InputError about a pixel of a file that was changed after the render, or never was one.
-[[noreturn]] void fail_at(const Film& film, std::size_t i, const std::string& file, const std::string& what) {
+[[noreturn]] void fail_at(const Film& film, std::size_t i, const std::string& file,
+                          const std::string& what) {
   const auto width = static_cast<std::size_t>(film.width);
-  throw InputError(fmt::format("{}: damaged, or changed after it was rendered: pixel ({}, {}) {}", file,
-                               i % width, i / width, what));
+  throw InputError(fmt::format("{}: damaged, or changed after it was rendered: pixel ({}, {}) {}",
+                               file, i % width, i / width, what));
 }
 
-void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& image, const std::string& channel,
-                 std::uint32_t most, const std::string& file) {
+void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& image,
+                 const std::string& channel, std::uint32_t most, const std::string& file) {
   const PairPlanes planes(image, channel, file);
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
     const double count = planes.get(image, i);
     if (!(count >= 0 && count <= most && count == std::floor(count)))
-      fail_at(film, i, file, fmt::format("has {} in {}, but there are {} samples", count, channel, most));
+      fail_at(film, i, file,
+              fmt::format("has {} in {}, but there are {} samples", count, channel, most));
     film.pixels[i].*counts = static_cast<std::uint32_t>(count);
   }
 }
@@ -134,12 +141,14 @@ void check_nonzero(const Film& film, const std::string& file) {
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
     const PixelSums& pixel = film.pixels[i];
     if (pixel.nonzero <= pixel.samples) continue;
-    fail_at(film, i, file,
-            fmt::format("has {} samples, but {} of them are not zero", pixel.samples, pixel.nonzero));
+    fail_at(
+        film, i, file,
+        fmt::format("has {} samples, but {} of them are not zero", pixel.samples, pixel.nonzero));
   }
 }
 
-/// Means follow from sums: a file that another program has changed or stored with less precision is found.
+/// Means follow from sums: a file that another program has changed or stored with less precision is
+/// found.
 void check_means(const Film& film, const Image& image, const std::string& file) {
   const Image means = develop(film, false);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -149,7 +158,8 @@ void check_means(const Film& film, const Image& image, const std::string& file) 
       const float told = image.plane(channel)[i];
       const float mean = means.plane(static_cast<int>(c))[i];
       if (told == mean || (std::isnan(told) && std::isnan(mean))) continue;
-      fail_at(film, i, file, fmt::format("has {} = {}, but its sum makes {}", colors[c], told, mean));
+      fail_at(film, i, file,
+              fmt::format("has {} = {}, but its sum makes {}", colors[c], told, mean));
     }
   }
 }
@@ -193,14 +203,16 @@ Image make_part(const Film& film, bool with_variance) {
 }
 
 Film film_of_part(const Image& image, std::uint32_t most_samples, const std::string& name) {
-  Film film = make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
+  Film film =
+      make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
   read_counts(film, &PixelSums::samples, image, "samples", most_samples, name);
   read_counts(film, &PixelSums::nonzero, image, "samples.nonzero", most_samples, name);
   check_nonzero(film, name);
-  read_sums(film, &PixelSums::values, image, "sum.", read_exponent(image, sum_exponent_key, name), name);
+  read_sums(film, &PixelSums::values, image, "sum.", read_exponent(image, sum_exponent_key, name),
+            name);
   if (film.has_squares) {
-    read_sums(film, &PixelSums::squares, image, "square.", read_exponent(image, square_exponent_key, name),
-              name);
+    read_sums(film, &PixelSums::squares, image, "square.",
+              read_exponent(image, square_exponent_key, name), name);
   }
   check_means(film, image, name);
   return film;

@@ -4,21 +4,23 @@
 
 namespace facet {
 
-/// Develops the film like develop(), and adds its sums as channels, each as an unevaluated pair of floats:
-/// `sum.R` + `sum.R.low` and so on, `square.R` + `square.R.low` and so on where the film has squares, and
-/// `samples` + `samples.low`, `samples.nonzero` + `samples.nonzero.low`. Counts are exact.
+/// Develops the film like develop(), and adds its sums as channels, each as an unevaluated pair of
+/// floats: `sum.R` + `sum.R.low` and so on, `square.R` + `square.R.low` and so on where the film
+/// has squares, and `samples` + `samples.low`, `samples.nonzero` + `samples.nonzero.low`. Counts
+/// are exact.
 ///
-/// Sums are stored divided by 2^facet.sumExponent, squares by 2^facet.squareExponent (metadata): 0 while all
-/// values lie within 2^-100 ... 2^126, else as puts the largest just below 2^127. What is stored is then
-/// within 2^-49 of the sum, relatively, for every value above 2^-227 of the film's largest, and within 2^-276
-/// of that largest below. Infinities and NaN stay what they are. R, G, B and the variance are developed from
-/// the sums as stored.
+/// Sums are stored divided by 2^facet.sumExponent, squares by 2^facet.squareExponent (metadata): 0
+/// while all values lie within 2^-100 ... 2^126, else as puts the largest just below 2^127. What is
+/// stored is then within 2^-49 of the sum, relatively, for every value above 2^-227 of the film's
+/// largest, and within 2^-276 of that largest below. Infinities and NaN stay what they are. R, G, B
+/// and the variance are developed from the sums as stored.
 [[nodiscard]] Image make_part(const Film& film, bool with_variance);
 
-/// The film of a part, its window included. Throws InputError, which begins with the name, for an image that
-/// lacks such channels or metadata, or whose numbers contradict each other: counts that are no counts,
-/// exceed most_samples or each other, or a mean that is not that of its sum.
-[[nodiscard]] Film film_of_part(const Image& image, std::uint32_t most_samples, const std::string& name);
+/// The film of a part, its window included. Throws InputError, which begins with the name, for an
+/// image that lacks such channels or metadata, or whose numbers contradict each other: counts that
+/// are no counts, exceed most_samples or each other, or a mean that is not that of its sum.
+[[nodiscard]] Film film_of_part(const Image& image, std::uint32_t most_samples,
+                                const std::string& name);
 
 /// Adds the samples of a film of the same size. The sum keeps squares only if both have them.
 void add_samples(Film& film, const Film& more);

@@ -18,30 +18,32 @@ std::string describe_size(const ExrHeader& h) {
 }
 
 std::string describe_crop(const ExrHeader& h) {
-  return fmt::format("{},{},{},{}", h.window.x, h.window.y, h.window.x + h.width, h.window.y + h.height);
+  return fmt::format("{},{},{},{}", h.window.x, h.window.y, h.window.x + h.width,
+                     h.window.y + h.height);
 }
 
 /// Throws InputError unless the two texts are one.
-void check_same(const PartFile& part, const PartFile& first, const char* what, const std::string& its,
-                const std::string& other) {
+void check_same(const PartFile& part, const PartFile& first, const char* what,
+                const std::string& its, const std::string& other) {
   if (its != other)
-    throw InputError(
-        fmt::format("{}: its {} is {}, but that of {} is {}", part.file, what, its, first.file, other));
+    throw InputError(fmt::format("{}: its {} is {}, but that of {} is {}", part.file, what, its,
+                                 first.file, other));
 }
 
-/// The record of a header; throws InputError where the header lacks an entry, or has one that cannot be.
+/// The record of a header; throws InputError where the header lacks an entry, or has one that
+/// cannot be.
 RenderRecord read_record(const std::string& file, const ExrHeader& header) {
   const ParsedRecord parsed = parse_record(header.metadata);
   for (const RecordField* field : parsed.missing) {
     // What a record need not have is not missing.
     if (field->read(RenderRecord()))
-      throw InputError(fmt::format("{}: is no part of a render: its header lacks {}; {}", file, field->key,
-                                   how_to_make_one));
+      throw InputError(fmt::format("{}: is no part of a render: its header lacks {}; {}", file,
+                                   field->key, how_to_make_one));
   }
   if (!parsed.damaged.empty()) {
     const auto& [field, text] = parsed.damaged.front();
-    throw InputError(
-        fmt::format("{}: damaged: {} is \"{}\", {} expected", file, field->key, text, field->expected));
+    throw InputError(fmt::format("{}: damaged: {} is \"{}\", {} expected", file, field->key, text,
+                                 field->expected));
   }
   return parsed.record;
 }
@@ -67,9 +69,9 @@ PartFile open_part(const std::string& file) {
   }
   part.record = read_record(file, part.header);
   if (!part.record.complete) {
-    throw InputError(
-        fmt::format("{}: its render was interrupted: it lacks some of its samples {}; render them again",
-                    file, part.record.samples.text()));
+    throw InputError(fmt::format(
+        "{}: its render was interrupted: it lacks some of its samples {}; render them again", file,
+        part.record.samples.text()));
   }
   return part;
 }
@@ -80,7 +82,9 @@ void check_same_render(const PartFile& part, const PartFile& first) {
   check_same(part, first, "image", describe_size(part.header), describe_size(first.header));
   check_same(part, first, "crop", describe_crop(part.header), describe_crop(first.header));
   for (const RecordField& field : record_fields()) {
-    const auto text = [&](const PartFile& p) { return field.read(p.record).value_or("as the scene says"); };
+    const auto text = [&](const PartFile& p) {
+      return field.read(p.record).value_or("as the scene says");
+    };
     if (field.common && std::string_view(field.key) != "facet.fingerprint")
       check_same(part, first, field.label, text(part), text(first));
   }
@@ -88,7 +92,8 @@ void check_same_render(const PartFile& part, const PartFile& first) {
     throw InputError(fmt::format(
         "{}: is of another version of {} than {}: the scene or a file it uses was changed "
         "(fingerprints {:016x} and {:016x})",
-        part.file, part.record.scene, first.file, part.record.fingerprint, first.record.fingerprint));
+        part.file, part.record.scene, first.file, part.record.fingerprint,
+        first.record.fingerprint));
   }
 }
 
@@ -98,8 +103,8 @@ void check_disjoint(const PartFile& part, const PartFile& first) {
     throw InputError(fmt::format("{}: is given twice", part.file));
   const SampleRanges common = part.record.samples.common(first.record.samples);
   if (common.empty()) return;
-  throw InputError(
-      fmt::format("{}: overlaps with {}: both hold the samples {}", part.file, first.file, common.text()));
+  throw InputError(fmt::format("{}: overlaps with {}: both hold the samples {}", part.file,
+                               first.file, common.text()));
 }
 
 }  // namespace facet

@@ -18,10 +18,12 @@ struct PartFile {
   [[nodiscard]] Film read() const;
 };
 
-/// Reads a part's header. Throws InputError for a file that is no part or whose render was interrupted.
+/// Reads a part's header. Throws InputError for a file that is no part or whose render was
+/// interrupted.
 [[nodiscard]] PartFile open_part(const std::string& file);
 
-/// Throws InputError, which names the difference, unless both files are of one render of the same scene.
+/// Throws InputError, which names the difference, unless both files are of one render of the same
+/// scene.
 void check_same_render(const PartFile& part, const PartFile& first);
 
 /// Throws InputError if both files hold the same samples.

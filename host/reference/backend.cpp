@@ -31,14 +31,15 @@ class ReferenceRendering : public Rendering {
 
   void run(const ProgressCallback& progress) override {
     const auto start = std::chrono::steady_clock::now();
-    const auto most =
-        static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / film_.pixels.size()));
+    const auto most = static_cast<std::uint32_t>(
+        std::max<std::uint64_t>(1, samples_per_pass / film_.pixels.size()));
     for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
       const std::uint32_t end = sample + std::min(most, settings_.samples.end - sample);
       pass(sample, end, [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
       statistics_.render_seconds = seconds_since(start);
       if (progress &&
-          !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total_), statistics_))
+          !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total_),
+                    statistics_))
         break;
       sample = end;
     }
@@ -124,7 +125,8 @@ class ReferenceBackend : public TestableBackend {
     return std::make_unique<ReferenceRendering<Real>>(scene, settings, record);
   }
 
-  std::unique_ptr<statistics::BsdfEvaluator> evaluator(const Bsdf& bsdf, LobeSampling sampling) override {
+  std::unique_ptr<statistics::BsdfEvaluator> evaluator(const Bsdf& bsdf,
+                                                       LobeSampling sampling) override {
     return std::make_unique<ReferenceBsdfEvaluator<Real>>(bsdf, sampling);
   }
 

@@ -8,11 +8,13 @@
 
 namespace facet::reference {
 
-/// A BSDF without textures. Inputs are the interface's floats; results are rounded to float at the end.
+/// A BSDF without textures. Inputs are the interface's floats; results are rounded to float at the
+/// end.
 template <typename Real>
 class ReferenceBsdfEvaluator : public statistics::BsdfEvaluator {
  public:
-  ReferenceBsdfEvaluator(Bsdf bsdf, LobeSampling sampling) : bsdf_(std::move(bsdf)), sampling_(sampling) {}
+  ReferenceBsdfEvaluator(Bsdf bsdf, LobeSampling sampling)
+      : bsdf_(std::move(bsdf)), sampling_(sampling) {}
 
   [[nodiscard]] std::vector<statistics::BsdfValue> evaluate(
       std::span<const statistics::DirectionPair> pairs) override {
@@ -35,8 +37,10 @@ class ReferenceBsdfEvaluator : public statistics::BsdfEvaluator {
   [[nodiscard]] std::vector<statistics::BsdfDraw> sample(const vec3& wo, std::uint32_t count,
                                                          std::uint32_t seed) override {
     return draw_all(wo, count, [&](std::size_t i) {
-      const Block block = bounce_block({0, static_cast<std::uint32_t>(i), seed}, 1, shared::BOUNCE_BSDF);
-      return BsdfNumbers<Real>{block.number<Real>(shared::BSDF_LOBE), block.number<Real>(shared::BSDF_U),
+      const Block block =
+          bounce_block({0, static_cast<std::uint32_t>(i), seed}, 1, shared::BOUNCE_BSDF);
+      return BsdfNumbers<Real>{block.number<Real>(shared::BSDF_LOBE),
+                               block.number<Real>(shared::BSDF_U),
                                block.number<Real>(shared::BSDF_V)};
     });
   }

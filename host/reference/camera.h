@@ -44,7 +44,8 @@ class PerspectiveCamera {
   [[nodiscard]] Ray<Real> ray(int x, int y, const FilterSample<Real>& place, Probe& probe) const {
     const Real px = static_cast<Real>(x) + Real(0.5) + place.x;
     const Real py = static_cast<Real>(y) + Real(0.5) + place.y;
-    const Vec3<Real> local((1 - 2 * px / width_) * half_width_, (1 - 2 * py / height_) * half_height_, 1);
+    const Vec3<Real> local((1 - 2 * px / width_) * half_width_,
+                           (1 - 2 * py / height_) * half_height_, 1);
     const Vec3<Real> d = to_world_ * local;
     const Vec3<Real> direction = probe.nudged(unit(d));
     const Real length = glm::dot(d, direction);

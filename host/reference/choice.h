@@ -25,8 +25,9 @@ class Choice {
       below += w;
       if (w > 0) ++entries;
       const double share = total > 0 ? std::min(below / total, 1.0) : 0;
-      ends_.push_back(total > 0 ? static_cast<std::uint32_t>(std::floor((words - positive) * share) + entries)
-                                : 0U);
+      ends_.push_back(
+          total > 0 ? static_cast<std::uint32_t>(std::floor((words - positive) * share) + entries)
+                    : 0U);
     }
   }
 
@@ -48,7 +49,9 @@ class Choice {
  private:
   static constexpr double words = 4294967295.0;
 
-  [[nodiscard]] std::uint32_t begin_of(std::size_t entry) const { return entry > 0 ? ends_[entry - 1] : 0; }
+  [[nodiscard]] std::uint32_t begin_of(std::size_t entry) const {
+    return entry > 0 ? ends_[entry - 1] : 0;
+  }
   [[nodiscard]] double width(std::size_t entry) const {
     return static_cast<double>(ends_[entry] - begin_of(entry));
   }

@@ -35,7 +35,8 @@ double invert(const Filter& filter, double a, double b, double mass) {
   return (low + high) / 2;
 }
 
-/// Where a filter that has negative outer lobes passes through 0; beyond the width for one that has none.
+/// Where a filter that has negative outer lobes passes through 0; beyond the width for one that has
+/// none.
 double crossing_of(const Filter& filter, double width) {
   double outside = width * (1 - 1e-6);
   if (filter_value(filter, outside) >= 0) return 2 * width;
@@ -51,7 +52,8 @@ double crossing_of(const Filter& filter, double width) {
 
 FilterProfile::FilterProfile(const Filter& filter) {
   double width = filter_radius(filter);
-  if (const auto* bell = std::get_if<GaussianFilter>(&filter)) width = std::min(width, 12 * bell->stddev);
+  if (const auto* bell = std::get_if<GaussianFilter>(&filter))
+    width = std::min(width, 12 * bell->stddev);
   const double crossing = crossing_of(filter, width);
   crossing_ = static_cast<float>(crossing);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Where within its filter a sample lies, and with what weight (docs/sampling.md, "Camera and filter").
+// Where within its filter a sample lies, and with what weight (docs/sampling.md, "Camera and
+// filter").
 #include <vector>
 
 #include "reference/real.h"
@@ -26,7 +27,8 @@ class FilterProfile {
     return offsets_[i] + (Real(offsets_[i + 1]) - offsets_[i]) * fraction;
   }
 
-  /// What a sample at this offset counts: the sign of f times the ratio of the integrals of |f| and f.
+  /// What a sample at this offset counts: the sign of f times the ratio of the integrals of |f| and
+  /// f.
   template <typename Real>
   [[nodiscard]] Real weight(Real offset) const {
     return std::abs(offset) > Real(crossing_) ? -Real(ratio_) : Real(ratio_);

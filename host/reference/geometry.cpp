@@ -7,7 +7,8 @@ namespace facet::reference {
 
 namespace {
 
-/// Unit normal of a triangle; sizes that would under- or overflow in the products are taken out first.
+/// Unit normal of a triangle; sizes that would under- or overflow in the products are taken out
+/// first.
 dvec3 winding_normal(const dvec3& a, const dvec3& b, const dvec3& c) {
   return unit(glm::cross(unit(b - a), unit(c - a)));
 }

@@ -31,8 +31,8 @@ template <typename Real>
 struct Triangle {
   std::array<Vec3<Real>, 3> vertices;
   Vec3<Real> normal;  ///< unit, by the winding; formed in double
-  /// By how much the normal moves when the vertices move by a relative 1: along the triangle's short side,
-  /// for a triangle so flat that its two shorter edges are almost parallel.
+  /// By how much the normal moves when the vertices move by a relative 1: along the triangle's
+  /// short side, for a triangle so flat that its two shorter edges are almost parallel.
   Vec3<Real> tilt;
   Real magnitude = 0;  ///< largest absolute coordinate of the vertices
   std::uint32_t mesh = 0;

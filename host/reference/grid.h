@@ -6,7 +6,8 @@ namespace facet::reference {
 
 /// Largest integer up to x, as a decision whose margin is relative to `size`.
 template <typename Real, typename Probe>
-[[nodiscard]] Real decided_floor(Real x, Real size, DecisionKind kind, std::uint64_t item, Probe& probe) {
+[[nodiscard]] Real decided_floor(Real x, Real size, DecisionKind kind, std::uint64_t item,
+                                 Probe& probe) {
   const Real border = std::nearbyint(x);
   const auto margin = static_cast<double>((x - border) / size);
   return probe.decide(kind, item, x >= border, margin) ? border : border - 1;

@@ -1,14 +1,15 @@
 #pragma once
-// Rays against triangles and tree. The test is S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
-// Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again in double where it is 0;
-// t is that of the plane (docs/sampling.md, "Intersection").
+// Rays against triangles and tree. The test is S. Woop, C. Benthin, I. Wald, "Watertight
+// Ray/Triangle Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again
+// in double where it is 0; t is that of the plane (docs/sampling.md, "Intersection").
 #include <algorithm>
 
 #include "reference/geometry.h"
 
 namespace facet::reference {
 
-/// A ray's share of the triangle test: the largest axis of the direction becomes z, the others are sheared.
+/// A ray's share of the triangle test: the largest axis of the direction becomes z, the others are
+/// sheared.
 template <typename Real>
 struct Shear {
   int kx;
@@ -26,11 +27,13 @@ struct Shear {
     y = d[ky] / d[kz];
   }
 
-  [[nodiscard]] Vec2<Real> apply(const Vec3<Real>& v) const { return {v[kx] - x * v[kz], v[ky] - y * v[kz]}; }
+  [[nodiscard]] Vec2<Real> apply(const Vec3<Real>& v) const {
+    return {v[kx] - x * v[kz], v[ky] - y * v[kz]};
+  }
 };
 
-/// Where the ray's line meets the triangle's plane: t and barycentric weights; valid false for a plane seen
-/// edge on.
+/// Where the ray's line meets the triangle's plane: t and barycentric weights; valid false for a
+/// plane seen edge on.
 template <typename Real>
 struct PlaneHit {
   bool valid = false;
@@ -69,8 +72,8 @@ template <typename Real>
   return hit;
 }
 
-/// The ray against boxes. grown: boxes count as larger by this share of their size, distances as uncertain by
-/// the same share; rounding alone needs 16 ulps of the distances.
+/// The ray against boxes. grown: boxes count as larger by this share of their size, distances as
+/// uncertain by the same share; rounding alone needs 16 ulps of the distances.
 template <typename Real>
 class BoxTest {
  public:
@@ -103,8 +106,8 @@ class BoxTest {
   Real grown_;
 };
 
-/// Calls visit(first, count, t_max) for each leaf that the ray may meet before t_max, nearer children first;
-/// visit may lower t_max, and ends the traversal by returning true.
+/// Calls visit(first, count, t_max) for each leaf that the ray may meet before t_max, nearer
+/// children first; visit may lower t_max, and ends the traversal by returning true.
 template <typename Real, typename Visit>
 void traverse(const Tree& tree, const Ray<Real>& ray, Real grown, const Visit& visit) {
   if (tree.nodes.empty()) return;
@@ -168,13 +171,14 @@ template <typename Real>
 [[nodiscard]] bool any_hit(const Geometry<Real>& geometry, const Ray<Real>& ray) {
   const Shear<Real> shear(ray.direction);
   bool found = false;
-  traverse(geometry.tree, ray, Real(0), [&](std::uint32_t first, std::uint32_t count, Real& /*t_max*/) {
-    for (std::uint32_t i = first; i < first + count && !found; ++i) {
-      const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[i]);
-      found = plane.valid && plane.inside && plane.t > ray.t_min && plane.t < ray.t_max;
-    }
-    return found;
-  });
+  traverse(geometry.tree, ray, Real(0),
+           [&](std::uint32_t first, std::uint32_t count, Real& /*t_max*/) {
+             for (std::uint32_t i = first; i < first + count && !found; ++i) {
+               const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[i]);
+               found = plane.valid && plane.inside && plane.t > ray.t_min && plane.t < ray.t_max;
+             }
+             return found;
+           });
   return found;
 }
 

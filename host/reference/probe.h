@@ -1,7 +1,7 @@
 #pragma once
-// What watches a sample while it is computed. Images are rendered unwatched; `facet parity` asks which
-// decisions a sample took, by how much they were decided, and what becomes of it when one falls the other
-// way.
+// What watches a sample while it is computed. Images are rendered unwatched; `facet parity` asks
+// which decisions a sample took, by how much they were decided, and what becomes of it when one
+// falls the other way.
 #include <algorithm>
 #include <compare>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace facet::reference {
 
-/// Every kind of discrete decision that rounding can turn. The margin that goes with a decision is signed and
-/// relative: 1 is the size of the numbers that were compared.
+/// Every kind of discrete decision that rounding can turn. The margin that goes with a decision is
+/// signed and relative: 1 is the size of the numbers that were compared.
 enum class DecisionKind : std::uint8_t {
   edge,         ///< is the ray inside a triangle's edges: smallest barycentric weight
   order,        ///< which of two triangles is nearer
@@ -26,16 +26,16 @@ enum class DecisionKind : std::uint8_t {
   masking,      ///< is G1 1: b - 1.6
   tail,         ///< is D zero: tan^2/alpha^2 - 87
   reflectance,  ///< is reflection total
-  cell,         ///< in which cell of the environment's density or of a checker lies a direction or a point
-  texel,        ///< between which texels of an image: its slope changes there
-  roulette,     ///< does the path go on: u - q
+  cell,  ///< in which cell of the environment's density or of a checker lies a direction or a point
+  texel,     ///< between which texels of an image: its slope changes there
+  roulette,  ///< does the path go on: u - q
 };
 
 [[nodiscard]] const char* decision_name(DecisionKind kind);
 
-/// One decision of a sample. ray: 2 (k - 1) for the path's ray to interaction k and what is decided there,
-/// one more for that interaction's shadow ray and emitter sample. emitter: where every emitter is sampled.
-/// item: which of several, for instance the triangle.
+/// One decision of a sample. ray: 2 (k - 1) for the path's ray to interaction k and what is decided
+/// there, one more for that interaction's shadow ray and emitter sample. emitter: where every
+/// emitter is sampled. item: which of several, for instance the triangle.
 struct DecisionKey {
   DecisionKind kind{};
   std::uint32_t ray = 0;
@@ -95,7 +95,8 @@ struct BranchHash : Unwatched {
 
   void uses(Part part, std::size_t index) {
     const Feature feature{part, static_cast<std::uint32_t>(index)};
-    if (std::find(features.begin(), features.end(), feature) == features.end()) features.push_back(feature);
+    if (std::find(features.begin(), features.end(), feature) == features.end())
+      features.push_back(feature);
   }
   void mix(std::uint64_t word) {
     hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
@@ -111,9 +112,9 @@ struct BranchHash : Unwatched {
 /// Outcomes that are to be taken whatever the numbers say.
 using ForcedOutcomes = std::map<DecisionKey, bool>;
 
-/// Logs every decision with its margin, may force outcomes, and may perturb: each number that is nudged then
-/// moves by one ulp, each component of a vector by a whole or half an ulp of its largest: steps all alike
-/// would cancel too often where one quantity is nudged twice on its way.
+/// Logs every decision with its margin, may force outcomes, and may perturb: each number that is
+/// nudged then moves by one ulp, each component of a vector by a whole or half an ulp of its
+/// largest: steps all alike would cancel too often where one quantity is nudged twice on its way.
 class Watch {
  public:
   static constexpr bool watches = true;

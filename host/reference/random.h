@@ -31,19 +31,22 @@ struct Block {
 };
 
 [[nodiscard]] inline Block block_of(const SampleId& id, std::uint32_t block) {
-  if (id.sampler == Sampler::sobol) return {shared::sobol_block(id.pixel, id.index, block, id.seed)};
+  if (id.sampler == Sampler::sobol)
+    return {shared::sobol_block(id.pixel, id.index, block, id.seed)};
   return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
 }
 
-[[nodiscard]] inline Block camera_block(const SampleId& id) { return block_of(id, shared::BLOCK_CAMERA); }
+[[nodiscard]] inline Block camera_block(const SampleId& id) {
+  return block_of(id, shared::BLOCK_CAMERA);
+}
 
 /// Block BOUNCE_EMITTER or BOUNCE_BSDF of interaction k = 1, 2, ...
 [[nodiscard]] inline Block bounce_block(const SampleId& id, std::uint32_t k, std::uint32_t which) {
   return block_of(id, shared::BLOCK_FIRST_BOUNCE + (k - 1) * shared::BLOCKS_PER_BOUNCE + which);
 }
 
-/// Block of a sample of emitter e = 0, 1, ... of `count` at interaction k = 1, 2, ..., where every emitter is
-/// sampled.
+/// Block of a sample of emitter e = 0, 1, ... of `count` at interaction k = 1, 2, ..., where every
+/// emitter is sampled.
 [[nodiscard]] inline Block emitter_block(const SampleId& id, std::uint32_t k, std::size_t e,
                                          std::size_t count) {
   const std::size_t block = shared::BLOCK_EVERY_EMITTER + (k - 1) * count + e;

@@ -25,8 +25,8 @@ template <typename Real>
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Unit vector along v whatever its length; 0 for the zero vector. The scale is a power of two, so that it
-/// costs no digits.
+/// Unit vector along v whatever its length; 0 for the zero vector. The scale is a power of two, so
+/// that it costs no digits.
 template <typename Real>
 [[nodiscard]] Vec3<Real> unit(const Vec3<Real>& v) {
   const Real largest = largest_component(v);
@@ -42,7 +42,8 @@ template <typename Real>
   return std::nextafter(a, std::numeric_limits<Real>::infinity()) - a;
 }
 
-/// Orthonormal shading frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+/// Orthonormal shading frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1),
+/// 2017.
 template <typename Real>
 struct Frame {
   Vec3<Real> s;
@@ -61,7 +62,9 @@ struct Frame {
   [[nodiscard]] Vec3<Real> to_local(const Vec3<Real>& w) const {
     return {glm::dot(w, s), glm::dot(w, t), glm::dot(w, n)};
   }
-  [[nodiscard]] Vec3<Real> to_world(const Vec3<Real>& w) const { return w.x * s + w.y * t + w.z * n; }
+  [[nodiscard]] Vec3<Real> to_world(const Vec3<Real>& w) const {
+    return w.x * s + w.y * t + w.z * n;
+  }
 };
 
 /// Sine and cosine of 2 pi v, exact at multiples of a quarter turn.

@@ -14,12 +14,14 @@ struct Surface {
   std::uint32_t mesh = 0;
   std::uint32_t index = 0;  ///< of the triangle within the mesh
 
-  /// Where a ray that leaves in direction d starts (docs/sampling.md, "Ray offset"). which: number of the
-  /// decision.
+  /// Where a ray that leaves in direction d starts (docs/sampling.md, "Ray offset"). which: number
+  /// of the decision.
   template <typename Probe>
-  [[nodiscard]] Vec3<Real> origin_towards(const Vec3<Real>& d, std::uint64_t which, Probe& probe) const {
+  [[nodiscard]] Vec3<Real> origin_towards(const Vec3<Real>& d, std::uint64_t which,
+                                          Probe& probe) const {
     const Real cosine = glm::dot(d, ng);
-    const bool below = probe.decide(DecisionKind::offset, which, cosine < 0, static_cast<double>(cosine));
+    const bool below =
+        probe.decide(DecisionKind::offset, which, cosine < 0, static_cast<double>(cosine));
     const Real distance = magnitude / 1048576;  // 16 * 2^-24
     return below ? position - ng * distance : position + ng * distance;
   }
@@ -33,22 +35,23 @@ struct Surface {
 
 /// Texture coordinates of a point of a triangle of the mesh.
 template <typename Real, typename Probe>
-[[nodiscard]] Vec2<Real> texture_coordinates(const Mesh& mesh, std::uint32_t triangle, const Vec3<Real>& b,
-                                             Probe& probe) {
+[[nodiscard]] Vec2<Real> texture_coordinates(const Mesh& mesh, std::uint32_t triangle,
+                                             const Vec3<Real>& b, Probe& probe) {
   if (mesh.texcoord_indices.empty() || mesh.texcoord_indices[triangle].x == none) return {b.y, b.z};
   const uvec3& i = mesh.texcoord_indices[triangle];
-  const Vec2<Real> uv = b.x * Vec2<Real>(mesh.texcoords[i.x]) + b.y * Vec2<Real>(mesh.texcoords[i.y]) +
+  const Vec2<Real> uv = b.x * Vec2<Real>(mesh.texcoords[i.x]) +
+                        b.y * Vec2<Real>(mesh.texcoords[i.y]) +
                         b.z * Vec2<Real>(mesh.texcoords[i.z]);
   return Vec2<Real>(probe.nudged(Vec3<Real>(uv, 0)));
 }
 
 template <typename Real, typename Probe>
-[[nodiscard]] Surface<Real> surface_at(const Scene& scene, const Triangle<Real>& triangle, Real b1, Real b2,
-                                       Probe& probe) {
+[[nodiscard]] Surface<Real> surface_at(const Scene& scene, const Triangle<Real>& triangle, Real b1,
+                                       Real b2, Probe& probe) {
   const Real b0 = 1 - b1 - b2;
   Surface<Real> s;
-  s.position =
-      probe.nudged(b0 * triangle.vertices[0] + b1 * triangle.vertices[1] + b2 * triangle.vertices[2]);
+  s.position = probe.nudged(b0 * triangle.vertices[0] + b1 * triangle.vertices[1] +
+                            b2 * triangle.vertices[2]);
   s.ng = triangle.normal;
   if (triangle.tilt != Vec3<Real>(0)) s.ng += triangle.tilt * (probe.nudged(Real(1)) - 1);
   s.ng = s.ns = probe.nudged(s.ng);

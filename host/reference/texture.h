@@ -7,12 +7,13 @@ namespace facet::reference {
 
 /// Value at (u, v). item: the decisions' first number; they have two.
 template <typename Real, typename Probe>
-[[nodiscard]] Vec3<Real> texture_value(const CheckerTexture& t, const Vec2<Real>& uv, std::uint64_t item,
-                                       Probe& probe) {
+[[nodiscard]] Vec3<Real> texture_value(const CheckerTexture& t, const Vec2<Real>& uv,
+                                       std::uint64_t item, Probe& probe) {
   const Real x = uv.x * static_cast<Real>(t.scale_x);
   const Real y = uv.y * static_cast<Real>(t.scale_y);
   const auto cell = [&](Real at, std::uint64_t axis) {
-    return decided_floor(at, std::max(Real(1), std::abs(at)), DecisionKind::cell, item + axis, probe);
+    return decided_floor(at, std::max(Real(1), std::abs(at)), DecisionKind::cell, item + axis,
+                         probe);
   };
   const Real column = cell(x, 0);
   const Real row = cell(y, 1);
@@ -22,12 +23,12 @@ template <typename Real, typename Probe>
 }
 
 template <typename Real, typename Probe>
-[[nodiscard]] Vec3<Real> texture_value(const BitmapTexture& t, const Vec2<Real>& uv, std::uint64_t item,
-                                       Probe& probe) {
+[[nodiscard]] Vec3<Real> texture_value(const BitmapTexture& t, const Vec2<Real>& uv,
+                                       std::uint64_t item, Probe& probe) {
   const auto width = static_cast<Real>(t.width);
   const auto height = static_cast<Real>(t.height);
-  const Vec3<Real> scaled =
-      probe.nudged(Vec3<Real>(uv.x * static_cast<Real>(t.scale_x), uv.y * static_cast<Real>(t.scale_y), 0));
+  const Vec3<Real> scaled = probe.nudged(
+      Vec3<Real>(uv.x * static_cast<Real>(t.scale_x), uv.y * static_cast<Real>(t.scale_y), 0));
   // Shares of the whole image, which carry rounding errors of 1.
   const Vec3<Real> shares = probe.nudged(
       Vec3<Real>(1 - (scaled.x - std::floor(scaled.x)), 1 - (scaled.y - std::floor(scaled.y)), 1));
@@ -55,8 +56,8 @@ template <typename Real, typename Probe>
   probe.uses(Part::texture, index);
   // Below 2 are the environment's decisions.
   const std::uint64_t item = 2 * (std::uint64_t{index} + 1);
-  return probe.nudged(
-      std::visit([&](const auto& t) { return texture_value(t, uv, item, probe); }, textures[index]));
+  return probe.nudged(std::visit([&](const auto& t) { return texture_value(t, uv, item, probe); },
+                                 textures[index]));
 }
 
 /// Values of a BSDF's parameters at a point.

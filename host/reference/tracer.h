@@ -19,7 +19,8 @@ class Tracer {
   Tracer(const World<Real>& world, const SampleId& id, Probe& probe)
       : world_(world), integrator_(world.integrator), id_(id), probe_(probe) {}
 
-  /// Radiance in W sr^-1 m^-2 (or what the integrator shows) along the sample's ray through pixel (x, y).
+  /// Radiance in W sr^-1 m^-2 (or what the integrator shows) along the sample's ray through pixel
+  /// (x, y).
   [[nodiscard]] Vec3<Real> radiance(int x, int y) {
     probe_.at_ray(0);
     const Ray<Real> ray = world_.camera.ray(x, y, world_.camera.filter_sample(id_), probe_);
@@ -46,7 +47,8 @@ class Tracer {
 #undef FACET_KERNEL
   };
 
-  /// A surface that a ray has found, with the shading frame and the direction back to the viewer in it.
+  /// A surface that a ray has found, with the shading frame and the direction back to the viewer in
+  /// it.
   struct Interaction {
     Surface<Real> surface;
     Frame<Real> frame;
@@ -75,8 +77,8 @@ class Tracer {
     return hit;
   }
 
-  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by one of the
-  /// weights.
+  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by
+  /// one of the weights.
   void nudge(Hit<Real>& hit) {
     const auto& v = world_.geometry.triangles[hit.triangle].vertices;
     const Real edge =
@@ -100,7 +102,8 @@ class Tracer {
 
   [[nodiscard]] Surface<Real> surface_of(const Hit<Real>& hit) {
     probe_.uses(Part::mesh, world_.geometry.triangles[hit.triangle].mesh);
-    return surface_at(world_.scene, world_.geometry.triangles[hit.triangle], hit.b1, hit.b2, probe_);
+    return surface_at(world_.scene, world_.geometry.triangles[hit.triangle], hit.b1, hit.b2,
+                      probe_);
   }
 
   [[nodiscard]] Vec3<Real> normals(const Ray<Real>& ray) {
@@ -119,7 +122,8 @@ class Tracer {
     Surface<Real> s = surface_of(hit);
     const Real cosine = glm::dot(s.ns, ray.direction);
     // Both sides see the sky.
-    if (!probe_.decide(DecisionKind::horizon, 0, cosine < 0, static_cast<double>(cosine))) s.ns = -s.ns;
+    if (!probe_.decide(DecisionKind::horizon, 0, cosine < 0, static_cast<double>(cosine)))
+      s.ns = -s.ns;
     const Block block = bounce_block(id_, 1, shared::BOUNCE_BSDF);
     const Vec3<Real> local =
         cosine_direction(block.number<Real>(shared::BSDF_U), block.number<Real>(shared::BSDF_V));
@@ -144,8 +148,8 @@ class Tracer {
     return Vec3<Real>(integrator_.energy) / (4 * pi<Real> * pi<Real>)*(cosine / glm::dot(way, way));
   }
 
-  /// MIS weight of a sample of density `used` where another strategy has density `other`: 1/(1 + r), r their
-  /// ratio, or its square under the power heuristic (E. Veach, L. Guibas 1995).
+  /// MIS weight of a sample of density `used` where another strategy has density `other`: 1/(1 +
+  /// r), r their ratio, or its square under the power heuristic (E. Veach, L. Guibas 1995).
   [[nodiscard]] Real weight(Real used, Real other) const {
     if (!(used > 0)) return 0;
     const Real r = other / used;
@@ -201,7 +205,8 @@ class Tracer {
     auto q = static_cast<Real>(0.95);
     if (!integrator_.type.every_emitter) {
       const Vec3<Real>& t = path.throughput;
-      q = std::min(1 - 2 / static_cast<Real>(k + 60), probe_.nudged(path.eta2 * std::max({t.x, t.y, t.z})));
+      q = std::min(1 - 2 / static_cast<Real>(k + 60),
+                   probe_.nudged(path.eta2 * std::max({t.x, t.y, t.z})));
     }
     // A whole number of words, of which there are 2^32.
     const double words = std::max(1.0, std::floor(std::ldexp(static_cast<double>(q), 32)));
@@ -244,7 +249,8 @@ class Tracer {
       const Vec3<Real>& d = path.ray.direction;
       const Hit<Real> hit = closest(path.ray);
       if (hit.triangle == none)
-        return radiance + path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
+        return radiance +
+               path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
       const Surface<Real> s = surface_of(hit);
       radiance += path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
       if (k > last) return radiance;
@@ -259,7 +265,8 @@ class Tracer {
   }
 
   /// The surface seen by a ray in direction d; nothing where that is its dark side.
-  [[nodiscard]] std::optional<Interaction> interaction(const Surface<Real>& s, const Vec3<Real>& d) {
+  [[nodiscard]] std::optional<Interaction> interaction(const Surface<Real>& s,
+                                                       const Vec3<Real>& d) {
     const Frame<Real> frame = s.frame(probe_);
     const Vec3<Real> wo = probe_.nudged(frame.to_local(-d));
     Interaction at{s, frame, wo, world_.bsdf_of(s, probe_)};
@@ -272,7 +279,8 @@ class Tracer {
   /// The ray that continues the path from interaction k.
   [[nodiscard]] bool scatter(const Interaction& at, std::uint32_t k, Path& path) {
     const Block block = bounce_block(id_, k, shared::BOUNCE_BSDF);
-    const BsdfNumbers<Real> numbers{block.number<Real>(shared::BSDF_LOBE), block.number<Real>(shared::BSDF_U),
+    const BsdfNumbers<Real> numbers{block.number<Real>(shared::BSDF_LOBE),
+                                    block.number<Real>(shared::BSDF_U),
                                     block.number<Real>(shared::BSDF_V)};
     probe_.uses(Part::bsdf_sample, at.bsdf.type());
     const BsdfSample<Real> sample = at.bsdf.sample(at.wo, numbers, probe_);

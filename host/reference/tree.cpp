@@ -54,7 +54,8 @@ class Builder {
       const float cb = centre(b, axis);
       return ca != cb ? ca < cb : a < b;
     });
-    const std::uint32_t middle = depth < heuristic_depth ? best_split(begin, end) : begin + count / 2;
+    const std::uint32_t middle =
+        depth < heuristic_depth ? best_split(begin, end) : begin + count / 2;
     add_node(begin, middle, depth + 1);
     tree_.nodes[index].first_or_right = static_cast<std::uint32_t>(tree_.nodes.size());
     add_node(middle, end, depth + 1);
@@ -72,8 +73,8 @@ class Builder {
     float least = std::numeric_limits<float>::infinity();
     for (std::uint32_t i = begin + 1; i < end; ++i) {
       left.add(boxes_[tree_.order[i - 1]]);
-      const float cost =
-          left.half_area() * static_cast<float>(i - begin) + right_areas_[i] * static_cast<float>(end - i);
+      const float cost = left.half_area() * static_cast<float>(i - begin) +
+                         right_areas_[i] * static_cast<float>(end - i);
       if (cost < least) {
         least = cost;
         best = i;

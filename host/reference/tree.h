@@ -23,8 +23,9 @@ struct Tree {
 /// Nodes on a path from the root at most, hence the size of a traversal's stack.
 inline constexpr std::size_t tree_depth_limit = 96;
 
-/// Splits by the surface-area heuristic over all positions of primitives sorted along the longest axis
-/// (J. Goldsmith, J. Salmon 1987; sweep after I. Wald, V. Havran 2006); boxes are those of the primitives.
+/// Splits by the surface-area heuristic over all positions of primitives sorted along the longest
+/// axis (J. Goldsmith, J. Salmon 1987; sweep after I. Wald, V. Havran 2006); boxes are those of the
+/// primitives.
 [[nodiscard]] Tree build_tree(std::span<const Box> boxes);
 
 }  // namespace facet::reference

@@ -30,7 +30,8 @@ class World {
       weights.push_back(add_emitter(emitter));
       total += weights.back();
     }
-    const auto shining = static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
+    const auto shining =
+        static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     for (double& w : weights) {
       if (!(w > 0)) continue;
       w = (settings.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
@@ -45,7 +46,8 @@ class World {
     return {bsdfs_[scene.meshes[s.mesh].bsdf], at, lobes_};
   }
 
-  /// A direction from a surface towards some emitter; the density includes the choice of the emitter.
+  /// A direction from a surface towards some emitter; the density includes the choice of the
+  /// emitter.
   template <typename Probe>
   [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from, const Block& block,
                                                    Probe& probe) const {
@@ -104,9 +106,11 @@ class World {
       lights_.emplace_back(std::in_place_type<PointSource<Real>>, *point);
     } else {
       environment_ = static_cast<std::uint32_t>(lights_.size());
-      lights_.emplace_back(std::in_place_type<Environment<Real>>, std::get<EnvironmentEmitter>(emitter));
+      lights_.emplace_back(std::in_place_type<Environment<Real>>,
+                           std::get<EnvironmentEmitter>(emitter));
     }
-    return std::visit([&](const auto& light) { return light.power(geometry.bounds); }, lights_.back());
+    return std::visit([&](const auto& light) { return light.power(geometry.bounds); },
+                      lights_.back());
   }
 
   std::vector<Bsdf> bsdfs_;

@@ -21,7 +21,9 @@ class KernelRendering : public Rendering {
   }
 
   void run(const ProgressCallback& progress) override { renderer_.render(progress); }
-  std::vector<Radiance> sample(std::uint32_t index) override { return renderer_.render_sample(index); }
+  std::vector<Radiance> sample(std::uint32_t index) override {
+    return renderer_.render_sample(index);
+  }
   Film film() const override {
     Film film = renderer_.film();
     film.record = record_;
@@ -39,13 +41,15 @@ class KernelRendering : public Rendering {
 
 }  // namespace
 
-std::unique_ptr<Rendering> KernelBackend::start(const ScenePtr& scene, const RenderSettings& settings) {
+std::unique_ptr<Rendering> KernelBackend::start(const ScenePtr& scene,
+                                                const RenderSettings& settings) {
   if (settings.sampling == LobeSampling::uniform)
     throw InputError("--sampling uniform belongs to --backend reference");
   return std::make_unique<KernelRendering>(device_, driver(), *scene, settings);
 }
 
-std::unique_ptr<statistics::BsdfEvaluator> KernelBackend::evaluator(const Bsdf& bsdf, LobeSampling sampling) {
+std::unique_ptr<statistics::BsdfEvaluator> KernelBackend::evaluator(const Bsdf& bsdf,
+                                                                    LobeSampling sampling) {
   if (!bsdf_kernels_) bsdf_kernels_.emplace(device_);
   return std::make_unique<KernelBsdfEvaluator>(*bsdf_kernels_, bsdf, sampling);
 }

@@ -23,8 +23,8 @@ class KernelBackend : public TestableBackend {
   using TestableBackend::start;
   [[nodiscard]] std::unique_ptr<Rendering> start(const ScenePtr& scene,
                                                  const RenderSettings& settings) override;
-  [[nodiscard]] std::unique_ptr<statistics::BsdfEvaluator> evaluator(const Bsdf& bsdf,
-                                                                     LobeSampling sampling) override;
+  [[nodiscard]] std::unique_ptr<statistics::BsdfEvaluator> evaluator(
+      const Bsdf& bsdf, LobeSampling sampling) override;
 
   [[nodiscard]] gpu::Device& device() { return device_; }
 

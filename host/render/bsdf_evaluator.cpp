@@ -33,7 +33,8 @@ gpu::Layout make_layout(const gpu::Device& device) {
   return {device, types, sizeof(shared::PassConstants)};
 }
 
-std::array<std::uint32_t, shared::SPEC_COUNT> constants_of(const Bsdf& bsdf, LobeSampling sampling) {
+std::array<std::uint32_t, shared::SPEC_COUNT> constants_of(const Bsdf& bsdf,
+                                                           LobeSampling sampling) {
   Scene scene;
   scene.bsdfs.push_back(bsdf);
   RenderSettings settings;
@@ -84,23 +85,26 @@ const BsdfKernels::Pipelines& BsdfKernels::specialised(const Constants& constant
   const auto found = pipelines_.find(constants);
   if (found != pipelines_.end()) return found->second;
   const auto make = [&](Kernel kernel) {
-    const auto code =
-        gpu::specialise(kernel_code(kernel, GeometryFetch::storage_buffer), constants, kernel_name(kernel));
+    const auto code = gpu::specialise(kernel_code(kernel, GeometryFetch::storage_buffer), constants,
+                                      kernel_name(kernel));
     return gpu::make_compute_pipeline(device_, layout_, code, kernel_name(kernel));
   };
-  return pipelines_.emplace(constants, Pipelines{make(Kernel::evaluate), make(Kernel::sample)}).first->second;
+  return pipelines_.emplace(constants, Pipelines{make(Kernel::evaluate), make(Kernel::sample)})
+      .first->second;
 }
 
 void BsdfKernels::run(const vk::raii::Pipeline& pipeline, std::uint32_t count) {
   device_.run([&](const vk::raii::CommandBuffer& c) {
     c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, set_.handle(), {});
+    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, set_.handle(),
+                         {});
     c.dispatch((count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE, 1, 1);
     gpu::barrier(c);
   });
 }
 
-KernelBsdfEvaluator::KernelBsdfEvaluator(BsdfKernels& kernels, const Bsdf& bsdf, LobeSampling sampling)
+KernelBsdfEvaluator::KernelBsdfEvaluator(BsdfKernels& kernels, const Bsdf& bsdf,
+                                         LobeSampling sampling)
     : kernels_(kernels),
       record_(pack_bsdf(bsdf)),
       pipelines_(kernels.specialised(constants_of(bsdf, sampling))) {}
@@ -119,7 +123,8 @@ std::vector<BsdfValue> KernelBsdfEvaluator::evaluate(std::span<const DirectionPa
     kernels_.evaluation_.upload(std::vector{what});
     kernels_.queries_.upload(queries);
     kernels_.run(pipelines_.evaluate, count);
-    for (const glm::vec4& v : read<glm::vec4>(kernels_.values_, count)) results.push_back({vec3(v), v.w});
+    for (const glm::vec4& v : read<glm::vec4>(kernels_.values_, count))
+      results.push_back({vec3(v), v.w});
   });
   return results;
 }
@@ -134,7 +139,8 @@ void KernelBsdfEvaluator::draw(const shared::EvaluationRecord& what, std::vector
     draws.push_back({vec3(values[i]), values[i].w, vec3(weights[i])});
 }
 
-std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo, std::span<const BsdfNumbers> numbers) {
+std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo,
+                                                  std::span<const BsdfNumbers> numbers) {
   std::vector<BsdfDraw> draws;
   draws.reserve(numbers.size());
   for_each_batch(numbers.size(), [&](std::size_t first, std::uint32_t count) {
@@ -148,7 +154,8 @@ std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo, std::span<cons
   return draws;
 }
 
-std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo, std::uint32_t count, std::uint32_t seed) {
+std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo, std::uint32_t count,
+                                                  std::uint32_t seed) {
   std::vector<BsdfDraw> draws;
   draws.reserve(count);
   for_each_batch(count, [&](std::size_t first, std::uint32_t n) {

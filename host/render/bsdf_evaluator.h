@@ -10,7 +10,8 @@
 
 namespace facet {
 
-/// The kernels that evaluate BSDFs, compiled once for BSDFs of the same features, and what they work on.
+/// The kernels that evaluate BSDFs, compiled once for BSDFs of the same features, and what they
+/// work on.
 class BsdfKernels {
  public:
   explicit BsdfKernels(gpu::Device& device);
@@ -44,7 +45,8 @@ class BsdfKernels {
 /// A BSDF without textures, by the kernels specialised to a scene that has nothing else.
 class KernelBsdfEvaluator : public statistics::BsdfEvaluator {
  public:
-  /// sampling: ndf or visible. `kernels` must outlive this and may be shared, though not between threads.
+  /// sampling: ndf or visible. `kernels` must outlive this and may be shared, though not between
+  /// threads.
   KernelBsdfEvaluator(BsdfKernels& kernels, const Bsdf& bsdf, LobeSampling sampling);
 
   [[nodiscard]] std::vector<statistics::BsdfValue> evaluate(

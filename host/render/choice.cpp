@@ -8,8 +8,8 @@ namespace facet {
 
 std::vector<std::uint32_t> cumulative_counts(std::span<const double> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const auto positive =
-      static_cast<double>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  const auto positive = static_cast<double>(
+      std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
   std::vector<std::uint32_t> cumulative(weights.size(), 0);
   if (!(total > 0)) return cumulative;
   const double shared = 4294967295.0 - positive;
@@ -18,7 +18,8 @@ std::vector<std::uint32_t> cumulative_counts(std::span<const double> weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     prefix += weights[i];
     passed += weights[i] > 0 ? 1 : 0;
-    cumulative[i] = static_cast<std::uint32_t>(std::floor(shared * std::min(prefix / total, 1.0)) + passed);
+    cumulative[i] =
+        static_cast<std::uint32_t>(std::floor(shared * std::min(prefix / total, 1.0)) + passed);
   }
   return cumulative;
 }

@@ -10,8 +10,8 @@ namespace facet {
 
 namespace {
 
-/// Mean over each cell [x, x + 1) x [y, y + 1) of the bilinearly interpolated luminance: of the texels at its
-/// corners, so that it is positive wherever the interpolated value is.
+/// Mean over each cell [x, x + 1) x [y, y + 1) of the bilinearly interpolated luminance: of the
+/// texels at its corners, so that it is positive wherever the interpolated value is.
 std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   const auto w = static_cast<std::size_t>(e.width);
   const auto h = static_cast<std::size_t>(e.height);
@@ -36,7 +36,8 @@ EnvironmentTable make_environment_table(const EnvironmentEmitter& e) {
   const std::vector<double> cells = cell_luminances(e);
   EnvironmentTable table;
   std::vector<double> row_weights(h);
-  // Row r covers the directions whose y lies in [-cos(pi r/H), -cos(pi (r+1)/H)]: up is the last row.
+  // Row r covers the directions whose y lies in [-cos(pi r/H), -cos(pi (r+1)/H)]: up is the last
+  // row.
   const auto border = [&](std::size_t r) {
     return -std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(h));
   };
@@ -55,7 +56,8 @@ EnvironmentTable make_environment_table(const EnvironmentEmitter& e) {
     const std::vector<std::uint32_t> counts = cumulative_counts(std::span(cells).subspan(y * w, w));
     table.columns.insert(table.columns.end(), counts.begin(), counts.end());
     const double row_probability = choice_probability(row_counts, y);
-    const double cell_angle = 2 * std::numbers::pi / static_cast<double>(w) * (border(y + 1) - border(y));
+    const double cell_angle =
+        2 * std::numbers::pi / static_cast<double>(w) * (border(y + 1) - border(y));
     for (std::size_t x = 0; x < w; ++x) {
       const double density = row_probability * choice_probability(counts, x) / cell_angle;
       table.texels.emplace_back(e.texels[y * w + x], static_cast<float>(density));

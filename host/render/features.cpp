@@ -91,7 +91,8 @@ std::vector<std::string> Features::names() const {
     }
     add_bsdf_choices(list);
     if (integrator.type.emitter_sampling && integrator.type.material_sampling) {
-      list.emplace_back(integrator.heuristic == Heuristic::power ? "power heuristic" : "balance heuristic");
+      list.emplace_back(integrator.heuristic == Heuristic::power ? "power heuristic"
+                                                                 : "balance heuristic");
     }
     if (roulette) list.emplace_back("roulette");
   }
@@ -132,7 +133,8 @@ std::uint32_t Features::bounce_limit() const {
   if (limit < 0) return 0;
   // After the last interaction a ray looks for emission, unless emitters are sampled alone.
   // So do delta lobes.
-  const bool looks = integrator.type.material_sampling || (bsdf_flags_some & shared::BSDF_DELTA) != 0;
+  const bool looks =
+      integrator.type.material_sampling || (bsdf_flags_some & shared::BSDF_DELTA) != 0;
   return static_cast<std::uint32_t>(std::max(1, limit + (looks ? 1 : 0)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a scene has: the kernels are specialised to it, and nothing else is compiled, uploaded or allocated.
+// What a scene has: the kernels are specialised to it, and nothing else is compiled, uploaded or
+// allocated.
 #include <array>
 #include <string>
 #include <vector>
@@ -25,16 +26,18 @@ struct Features {
   Sampler sampler = Sampler::independent;
 
   /// Values of the specialization constants.
-  [[nodiscard]] std::array<std::uint32_t, shared::SPEC_COUNT> constants(std::uint32_t stack_size) const;
+  [[nodiscard]] std::array<std::uint32_t, shared::SPEC_COUNT> constants(
+      std::uint32_t stack_size) const;
   /// In words, for `facet info` and reports.
   [[nodiscard]] std::vector<std::string> names() const;
   /// Bounces (rays one after another along a path) at most; 0: unlimited.
   [[nodiscard]] std::uint32_t bounce_limit() const;
-  /// Whether the bounce, counted from 0, comes after the last interaction: its ray looks for emission alone.
+  /// Whether the bounce, counted from 0, comes after the last interaction: its ray looks for
+  /// emission alone.
   [[nodiscard]] bool is_last_bounce(std::uint32_t bounce) const;
 
-  /// The same for kernels that leave nothing out but what the user decides: every BSDF, emitter and texture
-  /// is in, and every attribute of meshes. The image is the same.
+  /// The same for kernels that leave nothing out but what the user decides: every BSDF, emitter and
+  /// texture is in, and every attribute of meshes. The image is the same.
   [[nodiscard]] Features with_everything() const;
 
  private:

@@ -28,8 +28,10 @@ double find_crossing(const Filter& filter, double radius) {
 
 FilterTable make_filter_table(const Filter& filter) {
   double radius = filter_radius(filter);
-  // A narrow bell within a wide radius would fall between the steps; beyond 12 deviations it has no mass.
-  if (const auto* bell = std::get_if<GaussianFilter>(&filter)) radius = std::min(radius, 12 * bell->stddev);
+  // A narrow bell within a wide radius would fall between the steps; beyond 12 deviations it has no
+  // mass.
+  if (const auto* bell = std::get_if<GaussianFilter>(&filter))
+    radius = std::min(radius, 12 * bell->stddev);
   const double step = 2 * radius / fine_count;
   const auto offset = [&](double i) { return -radius + i * step; };
   // Borders are nudged inwards, so that a box filter is not 0 there.
@@ -39,7 +41,8 @@ FilterTable make_filter_table(const Filter& filter) {
   for (int i = 0; i < fine_count; ++i) {
     const double middle = value(offset(i + 0.5));
     integral += middle * step;
-    mass[static_cast<std::size_t>(i) + 1] = mass[static_cast<std::size_t>(i)] + std::abs(middle) * step;
+    mass[static_cast<std::size_t>(i) + 1] =
+        mass[static_cast<std::size_t>(i)] + std::abs(middle) * step;
   }
   if (!(integral > 0)) throw InputError("the reconstruction filter's integral is not positive");
 

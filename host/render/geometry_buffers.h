@@ -23,14 +23,15 @@ inline vk::BufferUsageFlagBits scene_usage(GeometryFetch fetch) {
   return fetch == GeometryFetch::texel_buffer ? Usage::eStorageTexelBuffer : Usage::eStorageBuffer;
 }
 
-/// A buffer with these records, in whole texels; throws InputError where it is larger than the device can
-/// bind.
+/// A buffer with these records, in whole texels; throws InputError where it is larger than the
+/// device can bind.
 template <typename Records>
 gpu::Buffer make_record_buffer(gpu::Device& device, const Records& records, const std::string& what,
                                vk::BufferUsageFlags usage) {
   constexpr std::uint64_t texel = sizeof(glm::uvec4);
   const std::uint64_t bytes = (bytes_of(records) + texel - 1) / texel * texel;
-  if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes > device.limits().maxStorageBufferRange) {
+  if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) &&
+      bytes > device.limits().maxStorageBufferRange) {
     throw InputError(fmt::format("{}: {} bytes are more than {} can bind ({})", what, bytes,
                                  device.info().name, device.limits().maxStorageBufferRange));
   }

@@ -69,13 +69,14 @@ class Packer {
 
   [[nodiscard]] bool has_textures() const { return !scene_.textures.empty(); }
 
-  /// Appends a mesh's indices of one attribute, moved to the scene's list of it; x = none for triangles
-  /// without.
+  /// Appends a mesh's indices of one attribute, moved to the scene's list of it; x = none for
+  /// triangles without.
   static void append_indices(std::vector<glm::uvec4>& to, const std::vector<uvec3>& indices,
                              std::size_t triangles, std::size_t first) {
     for (std::size_t i = 0; i < triangles; ++i) {
       const bool has = !indices.empty() && indices[i].x != none;
-      to.push_back(has ? glm::uvec4(indices[i] + static_cast<std::uint32_t>(first), 0) : glm::uvec4(none));
+      to.push_back(has ? glm::uvec4(indices[i] + static_cast<std::uint32_t>(first), 0)
+                       : glm::uvec4(none));
     }
   }
 
@@ -95,9 +96,11 @@ class Packer {
           for (const vec3& n : mesh.normals) packed_.normals.emplace_back(n, 0);
         }
         if (has_textures())
-          append_indices(packed_.texcoord_indices, mesh.texcoord_indices, count, packed_.texcoords.size());
+          append_indices(packed_.texcoord_indices, mesh.texcoord_indices, count,
+                         packed_.texcoords.size());
         if (textured)
-          packed_.texcoords.insert(packed_.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
+          packed_.texcoords.insert(packed_.texcoords.end(), mesh.texcoords.begin(),
+                                   mesh.texcoords.end());
       }
       packed_.meshes.push_back({mesh.bsdf, mesh.emitter, attributes, 0});
       first_triangle += count;
@@ -117,7 +120,8 @@ class Packer {
       packed_.bvh.pairs[copy.item] = packed_.bvh.pairs[copy.original];
   }
 
-  /// Triangles of each area emitter with their cumulative counts and densities; returns the emitter's area.
+  /// Triangles of each area emitter with their cumulative counts and densities; returns the
+  /// emitter's area.
   double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
     const Mesh& source = scene_.meshes[mesh];
     std::vector<double> areas(source.position_indices.size());
@@ -129,12 +133,14 @@ class Packer {
     record.first_index = first_id_[mesh];
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const double density = areas[i] > 0 ? choice_probability(counts, i) / areas[i] : 0;
-      packed_.emitter_triangles.push_back({counts[i], 0, static_cast<float>(std::min(density, 1e38)), 0});
+      packed_.emitter_triangles.push_back(
+          {counts[i], 0, static_cast<float>(std::min(density, 1e38)), 0});
     }
     for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s)
-      packed_.emitter_triangles[record.first_triangle + sources_[s].index].triangle = packed_.bvh.places[s];
-    // Kernels without branches look at the first triangle even of an emitter that has none and is never
-    // chosen.
+      packed_.emitter_triangles[record.first_triangle + sources_[s].index].triangle =
+          packed_.bvh.places[s];
+    // Kernels without branches look at the first triangle even of an emitter that has none and is
+    // never chosen.
     if (counts.empty()) record.first_triangle = 0;
     return total;
   }
@@ -154,8 +160,10 @@ class Packer {
   }
 
   double pack_emitter(const Emitter& emitter, shared::EmitterRecord& record) {
-    if (const auto* area = std::get_if<AreaEmitter>(&emitter)) return pack_area_emitter(*area, record);
-    if (const auto* point = std::get_if<PointLight>(&emitter)) return pack_point_light(*point, record);
+    if (const auto* area = std::get_if<AreaEmitter>(&emitter))
+      return pack_area_emitter(*area, record);
+    if (const auto* point = std::get_if<PointLight>(&emitter))
+      return pack_point_light(*point, record);
     return pack_environment(std::get<EnvironmentEmitter>(emitter));
   }
 
@@ -163,12 +171,14 @@ class Packer {
     packed_.environment = make_environment_table(e);
     packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
     packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
-    const double radius = sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
-    return 4 * std::numbers::pi * std::numbers::pi * radius * radius * packed_.environment.mean_luminance;
+    const double radius =
+        sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
+    return 4 * std::numbers::pi * std::numbers::pi * radius * radius *
+           packed_.environment.mean_luminance;
   }
 
-  /// Turns powers into the weights of the scene's way to choose emitters (docs/sampling.md, "Emitter
-  /// sample").
+  /// Turns powers into the weights of the scene's way to choose emitters (docs/sampling.md,
+  /// "Emitter sample").
   void select_emitters(std::vector<double>& weights) const {
     double total = 0;
     double positive = 0;
@@ -202,7 +212,9 @@ class Packer {
   }
 
   void pack_albedos() {
-    const auto needs = [](const shared::BsdfRecord& b) { return (b.flags & shared::BSDF_MULTISCATTER) != 0; };
+    const auto needs = [](const shared::BsdfRecord& b) {
+      return (b.flags & shared::BSDF_MULTISCATTER) != 0;
+    };
     if (std::none_of(packed_.bsdfs.begin(), packed_.bsdfs.end(), needs)) return;
     for (const bsdf::AlbedoTable& table : bsdf::albedo_tables())
       packed_.albedos.insert(packed_.albedos.end(), table.begin(), table.end());

@@ -11,11 +11,12 @@
 namespace facet {
 
 struct PackedScene {
-  RenderSettings settings;                   ///< for which it is packed
-  Features features;                         ///< to which the kernels are specialised
-  Bvh bvh;                                   ///< triangles without area are left out
-  std::vector<glm::uvec4> normal_indices;    ///< a triangle's by MeshRecord::attributes; x = none: without
-  std::vector<glm::vec4> normals;            ///< xyz
+  RenderSettings settings;  ///< for which it is packed
+  Features features;        ///< to which the kernels are specialised
+  Bvh bvh;                  ///< triangles without area are left out
+  std::vector<glm::uvec4>
+      normal_indices;              ///< a triangle's by MeshRecord::attributes; x = none: without
+  std::vector<glm::vec4> normals;  ///< xyz
   std::vector<glm::uvec4> texcoord_indices;  ///< likewise; empty where the scene has no textures
   std::vector<vec2> texcoords;
   std::vector<shared::TextureRecord> textures;

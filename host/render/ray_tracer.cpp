@@ -15,10 +15,10 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
   return {device, records * record_bytes, state_usage, "the rays"};
 }
 
-vk::raii::Pipeline make_pipeline(const gpu::Device& device, const gpu::Layout& layout, Kernel kernel,
-                                 GeometryFetch fetch, std::uint32_t stack_size) {
-  const auto code =
-      gpu::specialise(kernel_code(kernel, fetch), Features{}.constants(stack_size), kernel_name(kernel));
+vk::raii::Pipeline make_pipeline(const gpu::Device& device, const gpu::Layout& layout,
+                                 Kernel kernel, GeometryFetch fetch, std::uint32_t stack_size) {
+  const auto code = gpu::specialise(kernel_code(kernel, fetch), Features{}.constants(stack_size),
+                                    kernel_name(kernel));
   return gpu::make_compute_pipeline(device, layout, code, kernel_name(kernel));
 }
 
@@ -32,10 +32,11 @@ RayTracer::RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32
       rays_(make_state(device, most_rays, sizeof(shared::RayRecord))),
       hits_(make_state(device, most_rays, sizeof(shared::HitRecord))),
       counters_(make_state(device, shared::COUNTER_WORDS, sizeof(std::uint32_t))),
-      unused_(device, sizeof(shared::FrameRecord), state_usage | vk::BufferUsageFlagBits::eUniformBuffer,
-              "nothing"),
+      unused_(device, sizeof(shared::FrameRecord),
+              state_usage | vk::BufferUsageFlagBits::eUniformBuffer, "nothing"),
       set_(device, layout_, bindings()),
-      closest_(make_pipeline(device, layout_, Kernel::closest, geometry_.fetch(), packed.bvh.stack_size)),
+      closest_(make_pipeline(device, layout_, Kernel::closest, geometry_.fetch(),
+                             packed.bvh.stack_size)),
       any_(make_pipeline(device, layout_, Kernel::any, geometry_.fetch(), packed.bvh.stack_size)) {
   counters_.clear();
 }
@@ -48,7 +49,8 @@ std::vector<gpu::Binding> RayTracer::bindings() {
   };
   std::vector<gpu::Binding> bindings(shared::BUFFER_BINDING_COUNT, {&unused_, nullptr});
   if (texels)
-    std::fill_n(bindings.begin(), shared::SCENE_BINDING_COUNT, gpu::Binding{&unused_, view_of(unused_)});
+    std::fill_n(bindings.begin(), shared::SCENE_BINDING_COUNT,
+                gpu::Binding{&unused_, view_of(unused_)});
   geometry_.bind(bindings);
   bindings[shared::BINDING_RAYS].buffer = &rays_;
   bindings[shared::BINDING_HITS].buffer = &hits_;
@@ -70,9 +72,10 @@ double RayTracer::run(const vk::raii::Pipeline& pipeline) {
   const auto start = std::chrono::steady_clock::now();
   device_.run([&](const vk::raii::CommandBuffer& c) {
     c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, set_.handle(), {});
-    c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute, 0,
-                                           constants);
+    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, set_.handle(),
+                         {});
+    c.pushConstants<shared::PassConstants>(*layout_.pipeline(), vk::ShaderStageFlagBits::eCompute,
+                                           0, constants);
     c.dispatch((ray_count_ + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE, 1, 1);
     gpu::barrier(c);
   });

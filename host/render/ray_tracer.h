@@ -1,5 +1,6 @@
 #pragma once
-// Given rays through a packed scene's triangles, by the traversal of those that render: what benchmarks ask.
+// Given rays through a packed scene's triangles, by the traversal of those that render: what
+// benchmarks ask.
 #include <span>
 #include <vector>
 
@@ -17,8 +18,8 @@ class RayTracer {
   /// The rays of the next calls.
   void set_rays(std::span<const shared::RayRecord> rays);
 
-  /// Finds what every ray hits, or whether anything is in its way; returns the seconds from submission to
-  /// end.
+  /// Finds what every ray hits, or whether anything is in its way; returns the seconds from
+  /// submission to end.
   double trace_closest();
   double trace_any();
 

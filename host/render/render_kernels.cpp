@@ -7,9 +7,14 @@
 
 namespace facet {
 
-RenderKernels::RenderKernels(const gpu::Device& device, const gpu::Layout& layout, const Features& features,
-                             std::uint32_t stack_size, GeometryFetch fetch)
-    : device_(device), layout_(layout), features_(features), stack_size_(stack_size), fetch_(fetch) {}
+RenderKernels::RenderKernels(const gpu::Device& device, const gpu::Layout& layout,
+                             const Features& features, std::uint32_t stack_size,
+                             GeometryFetch fetch)
+    : device_(device),
+      layout_(layout),
+      features_(features),
+      stack_size_(stack_size),
+      fetch_(fetch) {}
 
 RenderKernels::BounceKind RenderKernels::kind_of(std::uint32_t bounce) const {
   return {bounce == 0, features_.is_last_bounce(bounce)};
@@ -36,7 +41,8 @@ vk::raii::Pipeline RenderKernels::make(Kernel kernel, BounceKind kind) {
 void RenderKernels::compile(const Warming& warm) {
   std::mutex warming;
   std::vector<std::future<void>> jobs;
-  const auto start = [&](std::optional<vk::raii::Pipeline>& pipeline, Kernel kernel, BounceKind kind = {}) {
+  const auto start = [&](std::optional<vk::raii::Pipeline>& pipeline, Kernel kernel,
+                         BounceKind kind = {}) {
     // A thread each: most of the time all but one wait for the driver.
     jobs.push_back(std::async(std::launch::async, [&, kernel, kind] {
       pipeline = make(kernel, kind);

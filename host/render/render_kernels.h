@@ -21,9 +21,10 @@ class RenderKernels {
   RenderKernels(const gpu::Device& device, const gpu::Layout& layout, const Features& features,
                 std::uint32_t stack_size, GeometryFetch fetch);
 
-  /// Compiles all kernels that the integrator needs, beside each other, and calls `warm` with each as soon as
-  /// there is one, never two at a time: many drivers compile at the first dispatch, one kernel after the
-  /// other, and would else begin with it only when the last is ready. Throws DeviceError.
+  /// Compiles all kernels that the integrator needs, beside each other, and calls `warm` with each
+  /// as soon as there is one, never two at a time: many drivers compile at the first dispatch, one
+  /// kernel after the other, and would else begin with it only when the last is ready. Throws
+  /// DeviceError.
   void compile(const Warming& warm);
 
   [[nodiscard]] const vk::raii::Pipeline& schedule() const { return *schedule_; }

@@ -10,8 +10,8 @@ namespace facet {
 
 namespace {
 
-/// An odd step near the golden section of the number of runs and coprime to it: consecutive workgroups land
-/// far apart.
+/// An odd step near the golden section of the number of runs and coprime to it: consecutive
+/// workgroups land far apart.
 std::uint32_t permutation_stride(std::uint32_t runs) {
   auto stride = static_cast<std::uint32_t>(0.6180339887 * runs) | 1U;
   while (std::gcd(stride, std::max(runs, 1U)) != 1) stride += 2;
@@ -72,8 +72,8 @@ void Renderer::run_wave(const Wave& wave) {
   std::uint32_t bounce = 0;
   bool more = true;
   while (more) {
-    const std::uint32_t end =
-        limit == 0 ? bounce + bounces_per_submission : std::min(limit, bounce + bounces_per_submission);
+    const std::uint32_t end = limit == 0 ? bounce + bounces_per_submission
+                                         : std::min(limit, bounce + bounces_per_submission);
     device_.run([&](const vk::raii::CommandBuffer& c) {
       r.bind(c, wave.film_piece);
       r.start_clock(c);
@@ -108,8 +108,8 @@ void Renderer::render(const ProgressCallback& progress) {
       std::uint64_t{r.pixel_count()} * (settings_.samples.end - settings_.samples.begin);
   std::uint32_t batch = 1;
   for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
-    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as there are
-    // slots.
+    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as
+    // there are slots.
     const std::uint32_t done = sample - settings_.samples.begin;
     batch = std::min(std::max(done, 1U), settings_.samples.end - sample);
     for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
@@ -119,7 +119,8 @@ void Renderer::render(const ProgressCallback& progress) {
           run_wave(make_wave(piece, first, count, sample + k, std::min(per_wave, batch - k)));
           statistics_.render_seconds = seconds_since(start);
           if (progress &&
-              !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total), statistics_))
+              !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total),
+                        statistics_))
             return;
         }
       }
@@ -146,8 +147,8 @@ std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
 
 Film Renderer::film() const {
   const auto [sums, squares] = resources_->read_film();
-  Film film =
-      make_film(settings_.crop_width(), settings_.crop_height(), settings_.window(), !squares.empty());
+  Film film = make_film(settings_.crop_width(), settings_.crop_height(), settings_.window(),
+                        !squares.empty());
   // The squares are those of scaled values.
   const double unscale = 1 / (static_cast<double>(square_scale_) * square_scale_);
   for (std::size_t i = 0; i < sums.size(); ++i) {

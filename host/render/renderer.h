@@ -29,20 +29,21 @@ class Renderer {
   /// The film so far; its record is empty.
   [[nodiscard]] Film film() const;
 
-  /// Renders one more sample of every pixel of the crop; returns their radiances (W sr^-1 m^-2) before the
-  /// filter's weight, row by row.
+  /// Renders one more sample of every pixel of the crop; returns their radiances (W sr^-1 m^-2)
+  /// before the filter's weight, row by row.
   [[nodiscard]] std::vector<Radiance> render_sample(std::uint32_t sample);
 
-  /// The camera's rays of sample 0, one a pixel of the crop, as many as there are paths in flight; for
-  /// benchmarks and tests.
+  /// The camera's rays of sample 0, one a pixel of the crop, as many as there are paths in flight;
+  /// for benchmarks and tests.
   [[nodiscard]] std::vector<shared::RayRecord> camera_rays();
 
  private:
   struct Resources;
   struct Wave;
 
-  [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel, std::uint32_t pixel_count,
-                               std::uint32_t first_sample, std::uint32_t sample_count) const;
+  [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
+                               std::uint32_t pixel_count, std::uint32_t first_sample,
+                               std::uint32_t sample_count) const;
   void run_wave(const Wave& wave);
 
   gpu::Device& device_;

@@ -10,21 +10,23 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 
-/// Paths in flight. Measured on lavapipe: 2^16 and 2^20 are both slower by a tenth and more; GPUs need more
-/// to be busy.
+/// Paths in flight. Measured on lavapipe: 2^16 and 2^20 are both slower by a tenth and more; GPUs
+/// need more to be busy.
 constexpr std::uint32_t slots_on_cpu = 1U << 18U;
 constexpr std::uint32_t slots_on_gpu = 1U << 20U;
 
-/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops that run
-/// too long.
+/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops
+/// that run too long.
 constexpr std::uint32_t samples_per_film_dispatch = 256;
 
 std::uint32_t workgroups(std::uint32_t invocations) {
   return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
 }
 
-std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings, std::uint32_t pixels) {
-  const std::uint64_t paths = std::uint64_t{pixels} * (settings.samples.end - settings.samples.begin);
+std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings,
+                           std::uint32_t pixels) {
+  const std::uint64_t paths =
+      std::uint64_t{pixels} * (settings.samples.end - settings.samples.begin);
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
   // The largest record of a path must be bindable.
@@ -46,8 +48,10 @@ std::vector<glm::vec4> filter_intervals(const FilterTable& filter) {
   return intervals;
 }
 
-/// What the kernels read of the scene beside the geometry, by binding from BINDING_NORMAL_INDICES on.
-std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p, GeometryFetch fetch) {
+/// What the kernels read of the scene beside the geometry, by binding from BINDING_NORMAL_INDICES
+/// on.
+std::vector<gpu::Buffer> make_scene_buffers(gpu::Device& device, const PackedScene& p,
+                                            GeometryFetch fetch) {
   std::vector<gpu::Buffer> buffers;
   const auto add = [&](const auto& records, const char* what) {
     buffers.push_back(make_record_buffer(device, records, what, scene_usage(fetch)));
@@ -86,15 +90,17 @@ gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t r
 
 Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed)
     : device_(device),
-      rounds_(packed.features.integrator.type.every_emitter ? std::max<std::size_t>(1, packed.emitters.size())
-                                                            : 1),
+      rounds_(packed.features.integrator.type.every_emitter
+                  ? std::max<std::size_t>(1, packed.emitters.size())
+                  : 1),
       variance_(packed.features.variance),
       pixel_count_(crop_pixels(packed.settings)),
       slot_count_(choose_slots(device, packed.settings, pixel_count_)),
       geometry_(device, packed, packed.settings.force_storage_buffers),
       layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
       scene_(make_scene_buffers(device, packed, geometry_.fetch())),
-      frame_(make_record_buffer(device, std::vector{packed.frame}, "the frame", Usage::eUniformBuffer)),
+      frame_(make_record_buffer(device, std::vector{packed.frame}, "the frame",
+                                Usage::eUniformBuffer)),
       rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
       // Hits stay in registers but between the rounds of a bounce.
       hits_(make_state(device, rounds_ > 1 ? slot_count_ : 0, sizeof(shared::HitRecord))),
@@ -111,13 +117,15 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed)
 void Renderer::Resources::make_film() {
   constexpr std::uint64_t record = sizeof(shared::FilmRecord);
   const vk::PhysicalDeviceLimits& limits = device_.limits();
-  const auto largest = static_cast<std::uint32_t>(std::min(
-      limits.maxStorageBufferRange / record, limits.maxTexelBufferElements * sizeof(glm::uvec4) / record));
+  const auto largest = static_cast<std::uint32_t>(
+      std::min(limits.maxStorageBufferRange / record,
+               limits.maxTexelBufferElements * sizeof(glm::uvec4) / record));
   for (std::uint32_t first = 0; first < pixel_count_;) {
     const std::uint32_t count = std::min(largest, pixel_count_ - first);
     pieces_.push_back({first, count});
     film_.emplace_back(device_, count * record, state_usage, "the film");
-    squares_.emplace_back(device_, variance_ ? count * record : 0, state_usage, "the film's variance");
+    squares_.emplace_back(device_, variance_ ? count * record : 0, state_usage,
+                          "the film's variance");
     film_.back().clear();
     squares_.back().clear();
     first += count;
@@ -155,8 +163,8 @@ std::vector<gpu::Binding> Renderer::Resources::with_texels(std::vector<gpu::Bind
 }
 
 void Renderer::Resources::bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const {
-  c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0, sets_[film_piece].handle(),
-                       {});
+  c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_.pipeline(), 0,
+                       sets_[film_piece].handle(), {});
 }
 
 void Renderer::Resources::use(const vk::raii::CommandBuffer& c, const vk::raii::Pipeline& pipeline,
@@ -166,11 +174,12 @@ void Renderer::Resources::use(const vk::raii::CommandBuffer& c, const vk::raii::
                                          constants);
 }
 
-void Renderer::Resources::clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const {
+void Renderer::Resources::clear_counters(const vk::raii::CommandBuffer& c,
+                                         std::uint32_t slots) const {
   c.fillBuffer(counters_.handle(), 0, VK_WHOLE_SIZE, 0);
   gpu::barrier(c);
-  c.fillBuffer(counters_.handle(), shared::COUNTER_ACTIVE * sizeof(std::uint32_t), sizeof(std::uint32_t),
-               slots);
+  c.fillBuffer(counters_.handle(), shared::COUNTER_ACTIVE * sizeof(std::uint32_t),
+               sizeof(std::uint32_t), slots);
   gpu::barrier(c);
 }
 
@@ -200,7 +209,8 @@ void Renderer::Resources::record_bounce(const vk::raii::CommandBuffer& c,
   end_stage(c, constants.bounce == 0 ? Stage::first_bounce : Stage::later_bounces);
 }
 
-void Renderer::Resources::record_film(const vk::raii::CommandBuffer& c, shared::PassConstants constants) {
+void Renderer::Resources::record_film(const vk::raii::CommandBuffer& c,
+                                      shared::PassConstants constants) {
   for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
     constants.film_begin = k;
     constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
@@ -246,8 +256,8 @@ FilmRecords Renderer::Resources::read_film() const {
     film_[i].download(
         std::as_writable_bytes(std::span(data.sums).subspan(piece.first_pixel, piece.pixel_count)));
     if (variance_)
-      squares_[i].download(
-          std::as_writable_bytes(std::span(data.squares).subspan(piece.first_pixel, piece.pixel_count)));
+      squares_[i].download(std::as_writable_bytes(
+          std::span(data.squares).subspan(piece.first_pixel, piece.pixel_count)));
   }
   return data;
 }
@@ -267,8 +277,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Renderer::Resources::pixel_
   // Ranges of equal size, whole workgroups each.
   const std::uint32_t passes = (pieces_[piece].pixel_count + slot_count_ - 1) / slot_count_;
   const std::uint32_t even = (pieces_[piece].pixel_count + passes - 1) / passes;
-  const std::uint32_t size = std::min(
-      slot_count_, (even + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE * shared::WORKGROUP_SIZE);
+  const std::uint32_t size =
+      std::min(slot_count_, (even + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE *
+                                shared::WORKGROUP_SIZE);
   for (std::uint32_t first = pieces_[piece].first_pixel; first < end;) {
     const std::uint32_t count = std::min(size, end - first);
     ranges.emplace_back(first, count);

@@ -34,12 +34,14 @@ struct Renderer::Resources {
  public:
   Resources(gpu::Device& device, const PackedScene& packed);
 
-  /// To be called before any use of the kernels, which includes the drivers' compiling at a first dispatch.
+  /// To be called before any use of the kernels, which includes the drivers' compiling at a first
+  /// dispatch.
   void compile_kernels();
 
   /// Binds the buffers, with one piece of the film.
   void bind(const vk::raii::CommandBuffer& c, std::size_t film_piece) const;
-  /// Sets all counters to 0 but that of the first queue, which holds the slots in order after generate.
+  /// Sets all counters to 0 but that of the first queue, which holds the slots in order after
+  /// generate.
   void clear_counters(const vk::raii::CommandBuffer& c, std::uint32_t slots) const;
   /// One bounce of all paths in the queue.
   void record_bounce(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
@@ -48,7 +50,8 @@ struct Renderer::Resources {
   /// The camera's rays alone.
   void record_camera_rays(const vk::raii::CommandBuffer& c, const shared::PassConstants& constants);
 
-  /// Where stages are timed: begins a submission; ends a stage of it; adds up what a finished one took.
+  /// Where stages are timed: begins a submission; ends a stage of it; adds up what a finished one
+  /// took.
   void start_clock(const vk::raii::CommandBuffer& c);
   void end_stage(const vk::raii::CommandBuffer& c, Stage stage);
   void read_clock(std::span<double> seconds);
@@ -66,7 +69,8 @@ struct Renderer::Resources {
   [[nodiscard]] std::uint32_t slot_count() const { return slot_count_; }
   [[nodiscard]] const std::vector<FilmPiece>& film_pieces() const { return pieces_; }
   /// (first pixel, count) of a piece's passes: at most slot_count() pixels each.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(std::size_t piece) const;
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(
+      std::size_t piece) const;
 
  private:
   void use(const vk::raii::CommandBuffer& c, const vk::raii::Pipeline& pipeline,

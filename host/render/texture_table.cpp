@@ -34,12 +34,14 @@ shared::TextureRecord make_record(const BitmapTexture& t) {
 
 TextureTable make_texture_table(std::span<const Texture> textures) {
   TextureTable table;
-  const bool images = std::any_of(textures.begin(), textures.end(),
-                                  [](const Texture& t) { return std::holds_alternative<BitmapTexture>(t); });
+  const bool images = std::any_of(textures.begin(), textures.end(), [](const Texture& t) {
+    return std::holds_alternative<BitmapTexture>(t);
+  });
   const std::uint32_t linear = images ? add_decoding(table.texels, false) : 0;
   const std::uint32_t srgb = images ? add_decoding(table.texels, true) : 0;
   for (const Texture& texture : textures) {
-    shared::TextureRecord record = std::visit([](const auto& t) { return make_record(t); }, texture);
+    shared::TextureRecord record =
+        std::visit([](const auto& t) { return make_record(t); }, texture);
     if (const auto* bitmap = std::get_if<BitmapTexture>(&texture)) {
       record.decoding = bitmap->colors.empty() ? (bitmap->srgb ? srgb : linear) : shared::NONE;
       record.first_texel = static_cast<std::uint32_t>(table.texels.size());

@@ -11,7 +11,8 @@ namespace facet {
 
 struct TextureTable {
   std::vector<shared::TextureRecord> records;
-  std::vector<std::uint32_t> texels;  ///< tables of what a byte stands for (bits of floats), then the images
+  std::vector<std::uint32_t>
+      texels;  ///< tables of what a byte stands for (bits of floats), then the images
 };
 
 [[nodiscard]] TextureTable make_texture_table(std::span<const Texture> textures);

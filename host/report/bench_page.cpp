@@ -16,9 +16,13 @@ namespace facet::report {
 
 namespace {
 
-std::string cell(const std::string& text) { return "<td class=\"number\">" + escape_html(text) + "</td>"; }
+std::string cell(const std::string& text) {
+  return "<td class=\"number\">" + escape_html(text) + "</td>";
+}
 
-std::string figure_cell(const bench::Figure& f, double scale = 1) { return cell(figure_text(f, scale)); }
+std::string figure_cell(const bench::Figure& f, double scale = 1) {
+  return cell(figure_text(f, scale));
+}
 
 /// A table of rows that are made already.
 std::string table(const std::vector<std::string>& heads, const std::string& rows) {
@@ -59,8 +63,8 @@ class Page {
       for (const bench::TraversalRow& row : r->rows) rows += ray_row(*r, row);
     }
     return "<section><h2>Rays</h2><div class=\"charts\">\n" + plots + "</div>\n" +
-           table({"mesh", "rays", "facet, M/s", "single rays, M/s", "packets of 8, M/s", "facet / single",
-                  "equal hits"},
+           table({"mesh", "rays", "facet, M/s", "single rays, M/s", "packets of 8, M/s",
+                  "facet / single", "equal hits"},
                  rows) +
            "</section>\n";
   }
@@ -84,12 +88,15 @@ class Page {
     return svg_lines(chart);
   }
 
-  [[nodiscard]] static std::string ray_row(const bench::TraversalResult& r, const bench::TraversalRow& row) {
-    std::string html = fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>", escape_html(r.mesh), row.kind);
+  [[nodiscard]] static std::string ray_row(const bench::TraversalResult& r,
+                                           const bench::TraversalRow& row) {
+    std::string html =
+        fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>", escape_html(r.mesh), row.kind);
     html += figure_cell(row.facet);
     if (!row.single) return html + "<td></td><td></td><td></td><td></td></tr>\n";
     return html + figure_cell(*row.single) + figure_cell(*row.packets) +
-           cell(fmt::format("{:.2f}", row.ratio())) + cell(fmt::format("{:.6f}", row.equal_hits)) + "</tr>\n";
+           cell(fmt::format("{:.2f}", row.ratio())) + cell(fmt::format("{:.6f}", row.equal_hits)) +
+           "</tr>\n";
   }
 
   [[nodiscard]] std::string trees() const {
@@ -100,7 +107,8 @@ class Page {
     for (const bench::TraversalResult* r : meshes_) {
       const auto x = static_cast<double>(r->triangles);
       own.points.emplace_back(x, r->build.seconds.median);
-      if (r->build.yardstick_seconds) other.points.emplace_back(x, r->build.yardstick_seconds->median);
+      if (r->build.yardstick_seconds)
+        other.points.emplace_back(x, r->build.yardstick_seconds->median);
     }
     for (const bench::TraversalResult* r : results_) {
       rows += fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(r->mesh)) +
@@ -133,7 +141,8 @@ class Page {
     for (const bench::RenderRow& r : report_.renders) {
       rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>", escape_html(r.scene),
                           escape_html(r.integrator)) +
-              cell(fmt::format("{}", r.samples_per_pixel)) + figure_cell(r.samples_per_second, 1e-6) +
+              cell(fmt::format("{}", r.samples_per_pixel)) +
+              figure_cell(r.samples_per_second, 1e-6) +
               cell(fmt::format("{:.2f}", r.rays_per_second * 1e-6)) +
               cell(fmt::format("{:.2f}", r.startup_seconds)) +
               cell(fmt::format("{:.2f}", r.compile_seconds)) +
@@ -168,7 +177,8 @@ class Page {
     constexpr double width = 760;
     constexpr double step = 26;
     double most = 0;
-    for (const bench::RenderRow& r : report_.renders) most = std::max(most, r.samples_per_second.median);
+    for (const bench::RenderRow& r : report_.renders)
+      most = std::max(most, r.samples_per_second.median);
     std::string svg;
     double y = 4;
     for (const bench::RenderRow& r : report_.renders) {
@@ -179,13 +189,14 @@ class Page {
       for (std::size_t i = 0; i < r.stage_shares.size(); ++i) {
         const double part = length * r.stage_shares[i];
         svg += fmt::format(
-            "<rect class=\"stage{}\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"18\"><title>{} {:.0f} "
+            "<rect class=\"stage{}\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" "
+            "height=\"18\"><title>{} {:.0f} "
             "%</title></rect>",
             i, x, y, part, stage_names[i], 100 * r.stage_shares[i]);
         x += part;
       }
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{:.2f}</text>", name_width + length + 6, y + 14,
-                         r.samples_per_second.median * 1e-6);
+      svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{:.2f}</text>", name_width + length + 6,
+                         y + 14, r.samples_per_second.median * 1e-6);
       y += step;
     }
     std::string names;
@@ -194,7 +205,8 @@ class Page {
     return fmt::format(
         "<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Samples a "
         "second\">{}</svg>"
-        "<figcaption>Million samples a second; the parts of a bar are the shares of {}, from left to "
+        "<figcaption>Million samples a second; the parts of a bar are the shares of {}, from left "
+        "to "
         "right.</figcaption>"
         "</figure>\n",
         width, y, svg, names);

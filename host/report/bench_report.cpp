@@ -77,7 +77,8 @@ ordered_json growth_json(const bench::GrowthSeries& series) {
 }  // namespace
 
 std::string figure_text(const bench::Figure& f, double scale, int width) {
-  return fmt::format("{:{}.2f} ({:.2f} to {:.2f})", f.median * scale, width, f.min * scale, f.max * scale);
+  return fmt::format("{:{}.2f} ({:.2f} to {:.2f})", f.median * scale, width, f.min * scale,
+                     f.max * scale);
 }
 
 std::string seconds_text(const bench::Figure& f) {
@@ -89,20 +90,21 @@ double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& r) {
 }
 
 std::string text_of(const bench::TraversalResult& r) {
-  std::string text = fmt::format("{}: {} triangles; BVH in {} s, {:.1f} bytes a triangle, SAH cost {:.2f}",
-                                 r.mesh, r.triangles, seconds_text(r.build.seconds),
-                                 bytes_a_triangle(r.build.bytes, r), r.build.sah);
+  std::string text = fmt::format(
+      "{}: {} triangles; BVH in {} s, {:.1f} bytes a triangle, SAH cost {:.2f}", r.mesh,
+      r.triangles, seconds_text(r.build.seconds), bytes_a_triangle(r.build.bytes, r), r.build.sah);
   if (r.build.yardstick_seconds) {
-    text +=
-        fmt::format("; {}: {} s, {:.1f} bytes", bench::yardstick_name(),
-                    seconds_text(*r.build.yardstick_seconds), bytes_a_triangle(*r.build.yardstick_bytes, r));
+    text += fmt::format("; {}: {} s, {:.1f} bytes", bench::yardstick_name(),
+                        seconds_text(*r.build.yardstick_seconds),
+                        bytes_a_triangle(*r.build.yardstick_bytes, r));
   }
   text += '\n';
   for (const bench::TraversalRow& row : r.rows) {
     text += fmt::format("  {:8}{:>8} rays  facet {} M/s", row.kind, row.rays, rate_text(row.facet));
     if (row.single) {
-      text += fmt::format("  single {}  packets {}  ratio {:.2f}  equal {:.6f}", rate_text(*row.single),
-                          rate_text(*row.packets), row.ratio(), row.equal_hits);
+      text +=
+          fmt::format("  single {}  packets {}  ratio {:.2f}  equal {:.6f}", rate_text(*row.single),
+                      rate_text(*row.packets), row.ratio(), row.equal_hits);
     }
     text += '\n';
   }

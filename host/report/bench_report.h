@@ -18,7 +18,8 @@ struct BenchReport {
   std::vector<bench::GrowthSeries> growth;
 };
 
-/// Median with the least and the greatest in parentheses, the median at least so many characters wide.
+/// Median with the least and the greatest in parentheses, the median at least so many characters
+/// wide.
 [[nodiscard]] std::string figure_text(const bench::Figure& figure, double scale = 1, int width = 0);
 [[nodiscard]] std::string seconds_text(const bench::Figure& figure);
 [[nodiscard]] double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& result);
@@ -28,8 +29,8 @@ struct BenchReport {
 [[nodiscard]] std::string text_of(const bench::RenderRow& row);
 [[nodiscard]] std::string text_of(const bench::GrowthSeries& series);
 
-/// {"device", "driver", "threads", "yardstick", "traversal", "build", "render", "growth"}: rays in millions a
-/// second.
+/// {"device", "driver", "threads", "yardstick", "traversal", "build", "render", "growth"}: rays in
+/// millions a second.
 [[nodiscard]] std::string json_report(const BenchReport& report);
 
 }  // namespace facet::report

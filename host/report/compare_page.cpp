@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t most_pixels = 1U << 23U;
 constexpr std::size_t worst_count = 12;
 
-/// Values in the order of the image's rows, a code each: 0 to 254 along the scale, 255 where there is none.
+/// Values in the order of the image's rows, a code each: 0 to 254 along the scale, 255 where there
+/// is none.
 struct ErrorMap {
   std::string name;
   std::string note;
@@ -49,14 +50,16 @@ struct ErrorMap {
 /// R, G and B of each pixel as 16-bit floats, little-endian, divided by a scale.
 std::string packed_halves(const Image& image, float scale) {
   const auto planes = rgb_planes(image);
-  const auto pixels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  const auto pixels =
+      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
   std::vector<std::uint8_t> bytes;
   bytes.reserve(6 * pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     for (const float* plane : planes) {
       const float v = plane[i] / scale;
       // The largest half stands for what exceeds it; infinity stays.
-      const std::uint16_t half = glm::packHalf1x16(std::isfinite(v) ? std::clamp(v, -65504.F, 65504.F) : v);
+      const std::uint16_t half =
+          glm::packHalf1x16(std::isfinite(v) ? std::clamp(v, -65504.F, 65504.F) : v);
       bytes.push_back(static_cast<std::uint8_t>(half & 0xFFU));
       bytes.push_back(static_cast<std::uint8_t>(half >> 8U));
     }
@@ -64,12 +67,13 @@ std::string packed_halves(const Image& image, float scale) {
   return base64(bytes);
 }
 
-/// The power of two that brings the images into the range of 16-bit floats, best at 1 unless they need
-/// another.
+/// The power of two that brings the images into the range of 16-bit floats, best at 1 unless they
+/// need another.
 float half_scale(const Image& a, const Image& b) {
   float largest = 0;
   for (const Image* image : {&a, &b}) {
-    const auto pixels = static_cast<std::size_t>(image->width()) * static_cast<std::size_t>(image->height());
+    const auto pixels =
+        static_cast<std::size_t>(image->width()) * static_cast<std::size_t>(image->height());
     for (const float* plane : rgb_planes(*image)) {
       for (std::size_t i = 0; i < pixels; ++i) {
         if (std::isfinite(plane[i])) largest = std::max(largest, std::abs(plane[i]));
@@ -92,21 +96,22 @@ class Page {
   }
 
   [[nodiscard]] std::string html() const {
-    return fill_template(page_text::compare_html,
-                         {{"style", std::string(page_text::page_css) + std::string(page_text::compare_css)},
-                          {"script", std::string(page_text::compare_js)},
-                          {"image", escape_html(o_.image)},
-                          {"reference", escape_html(o_.reference)},
-                          {"size", fmt::format("{} × {}", c_.image.width(), c_.image.height())},
-                          {"width", fmt::format("{}", c_.image.width())},
-                          {"height", fmt::format("{}", c_.image.height())},
-                          {"verdict", verdict()},
-                          {"metrics", metrics()},
-                          {"histograms", histograms()},
-                          {"worst", worst()},
-                          {"origins", origins()},
-                          {"version", FACET_VERSION},
-                          {"data", data().dump()}});
+    return fill_template(
+        page_text::compare_html,
+        {{"style", std::string(page_text::page_css) + std::string(page_text::compare_css)},
+         {"script", std::string(page_text::compare_js)},
+         {"image", escape_html(o_.image)},
+         {"reference", escape_html(o_.reference)},
+         {"size", fmt::format("{} × {}", c_.image.width(), c_.image.height())},
+         {"width", fmt::format("{}", c_.image.width())},
+         {"height", fmt::format("{}", c_.image.height())},
+         {"verdict", verdict()},
+         {"metrics", metrics()},
+         {"histograms", histograms()},
+         {"worst", worst()},
+         {"origins", origins()},
+         {"version", FACET_VERSION},
+         {"data", data().dump()}});
   }
 
  private:
@@ -125,18 +130,20 @@ class Page {
   [[nodiscard]] std::string metrics() const {
     std::string html;
     for (const MetricRow& row : metric_rows(o_, c_)) {
-      html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td></tr>\n",
-                          escape_html(row.name), escape_html(row.value), escape_html(row.note));
+      html +=
+          fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td></tr>\n",
+                      escape_html(row.name), escape_html(row.value), escape_html(row.note));
     }
     return html;
   }
 
   [[nodiscard]] std::string histograms() const {
     const std::vector<double> flip(c_.flip.map.begin(), c_.flip.map.end());
-    return svg_histogram({"Relative error", "relative error of the pixel", true, std::sqrt(c_.errors.relmse),
-                          "√relMSE"},
+    return svg_histogram({"Relative error", "relative error of the pixel", true,
+                          std::sqrt(c_.errors.relmse), "√relMSE"},
                          relative_) +
-           svg_histogram({"FLIP", "difference seen at the pixel", false, c_.flip.mean, "mean"}, flip);
+           svg_histogram({"FLIP", "difference seen at the pixel", false, c_.flip.mean, "mean"},
+                         flip);
   }
 
   [[nodiscard]] static std::string triple(const Image& image, std::size_t i) {
@@ -144,8 +151,8 @@ class Page {
     return fmt::format("{:.6g} {:.6g} {:.6g}", planes[0][i], planes[1][i], planes[2][i]);
   }
 
-  [[nodiscard]] static std::string rerun(const char* label, const Image& image, const ParsedRecord& record,
-                                         int x, int y) {
+  [[nodiscard]] static std::string rerun(const char* label, const Image& image,
+                                         const ParsedRecord& record, int x, int y) {
     const ImageSize size{image.window.full_width, image.window.full_height};
     std::string command = escape_html(rerun_command(record, size, x, y));
     if (command.empty()) return "";
@@ -155,7 +162,8 @@ class Page {
       command.replace(i, 1, between);
       i += between.size();
     }
-    return fmt::format("<div><b class=\"tag\">{}</b> <code><span>{}</span></code></div>", label, command);
+    return fmt::format("<div><b class=\"tag\">{}</b> <code><span>{}</span></code></div>", label,
+                       command);
   }
 
   /// Two rows a pixel: its values, and the commands that render it again.
@@ -167,7 +175,8 @@ class Page {
     const std::string commands = rerun("A", c_.image, c_.image_record, full_x, full_y) +
                                  rerun("B", c_.reference, c_.reference_record, full_x, full_y);
     std::string html = fmt::format(
-        "<tr{}><th scope=\"row\"><button type=\"button\" class=\"goto\" data-x=\"{}\" data-y=\"{}\">{}, "
+        "<tr{}><th scope=\"row\"><button type=\"button\" class=\"goto\" data-x=\"{}\" "
+        "data-y=\"{}\">{}, "
         "{}</button></th>",
         commands.empty() ? "" : " class=\"values\"", x, y, full_x, full_y);
     for (const std::string& value :
@@ -176,7 +185,8 @@ class Page {
       html += fmt::format("<td class=\"number\">{}</td>", value);
     html += "</tr>\n";
     if (!commands.empty())
-      html += fmt::format("<tr class=\"commands\"><td></td><td colspan=\"4\">{}</td></tr>\n", commands);
+      html +=
+          fmt::format("<tr class=\"commands\"><td></td><td colspan=\"4\">{}</td></tr>\n", commands);
     return html;
   }
 
@@ -191,7 +201,8 @@ class Page {
     std::vector<std::string> keys;
     for (const Image* image : {&c_.image, &c_.reference}) {
       for (const auto& entry : image->metadata) {
-        if (std::find(keys.begin(), keys.end(), entry.first) == keys.end()) keys.push_back(entry.first);
+        if (std::find(keys.begin(), keys.end(), entry.first) == keys.end())
+          keys.push_back(entry.first);
       }
     }
     std::string html;
@@ -202,9 +213,9 @@ class Page {
       };
       const std::string a = text(c_.image);
       const std::string b = text(c_.reference);
-      html +=
-          fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
-                      a == b ? "" : " class=\"differs\"", escape_html(key), escape_html(a), escape_html(b));
+      html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
+                          a == b ? "" : " class=\"differs\"", escape_html(key), escape_html(a),
+                          escape_html(b));
     }
     return html.empty() ? "<tr><td colspan=\"3\">The files do not say.</td></tr>" : html;
   }
@@ -244,8 +255,8 @@ class Page {
 void write_compare_page(const std::string& path, const CompareOptions& options,
                         const Comparison& comparison) {
   if (comparison.errors.pixels > most_pixels) {
-    throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop", path,
-                                 most_pixels, comparison.errors.pixels));
+    throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop",
+                                 path, most_pixels, comparison.errors.pixels));
   }
   write_text(path, Page(options, comparison).html());
 }

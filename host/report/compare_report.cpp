@@ -23,7 +23,8 @@ std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparis
       {"max abs", fmt::format("{:.6g}", e.max_abs),
        fmt::format("largest difference of a channel, at pixel ({}, {})", e.max_abs_x + w.x,
                    e.max_abs_y + w.y)},
-      {"RMSE", fmt::format("{:.6g}", e.rmse), "root of the mean squared difference over pixels and channels"},
+      {"RMSE", fmt::format("{:.6g}", e.rmse),
+       "root of the mean squared difference over pixels and channels"},
       {"relMSE", fmt::format("{:.6g}", e.relmse),
        fmt::format("mean of (a - r)\u00b2 / (r\u00b2 + \u03b5), \u03b5 = {:.3g}", e.epsilon())},
       {"relMSE, trimmed", fmt::format("{:.6g}", e.relmse_trimmed),
@@ -32,8 +33,9 @@ std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparis
        fmt::format("mean, largest {:.4g}; sRGB at exposure 0, {:g} pixels a degree", c.flip.largest,
                    options.pixels_per_degree)},
       {"HDR-FLIP", fmt::format("{:.6g}", c.hdr_flip.mean),
-       fmt::format("mean, largest {:.4g}; {} exposures from {:.2f} to {:.2f} stops", c.hdr_flip.largest,
-                   c.hdr_flip.exposures, c.hdr_flip.start_exposure, c.hdr_flip.stop_exposure)},
+       fmt::format("mean, largest {:.4g}; {} exposures from {:.2f} to {:.2f} stops",
+                   c.hdr_flip.largest, c.hdr_flip.exposures, c.hdr_flip.start_exposure,
+                   c.hdr_flip.stop_exposure)},
       {"bit-identical", share_text(e, e.identical), "R, G and B equal in all bits"},
       {"beyond tolerance", share_text(e, e.beyond),
        fmt::format("|a - r| > {:g} (|r| + {:.3g}) in a channel", options.tolerance,
@@ -42,8 +44,9 @@ std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparis
   if (e.nonfinite > 0)
     rows.push_back({"not finite", share_text(e, e.nonfinite), "left out of all errors above"});
   if (c.z_test) {
-    rows.push_back({"z-test", c.z_test->passed() ? "holds" : "does not hold",
-                    fmt::format("significance {:g}: {}", options.significance, c.z_test->describe())});
+    rows.push_back(
+        {"z-test", c.z_test->passed() ? "holds" : "does not hold",
+         fmt::format("significance {:g}: {}", options.significance, c.z_test->describe())});
   }
   return rows;
 }
@@ -57,7 +60,9 @@ nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comp
       {"width", c.image.width()},
       {"height", c.image.height()},
       {"non_finite",
-       {{"image", e.nonfinite_image}, {"reference", e.nonfinite_reference}, {"either", e.nonfinite}}},
+       {{"image", e.nonfinite_image},
+        {"reference", e.nonfinite_reference},
+        {"either", e.nonfinite}}},
       {"mean_luminance", e.mean_luminance},
       {"max_abs", e.max_abs},
       {"max_abs_pixel", {e.max_abs_x + w.x, e.max_abs_y + w.y}},
@@ -74,7 +79,8 @@ nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comp
         {"exposures", c.hdr_flip.exposures}}},
       {"pixels_per_degree", options.pixels_per_degree},
       {"identical", {{"pixels", e.identical}, {"share", e.share(e.identical)}}},
-      {"beyond", {{"tolerance", options.tolerance}, {"pixels", e.beyond}, {"share", e.share(e.beyond)}}},
+      {"beyond",
+       {{"tolerance", options.tolerance}, {"pixels", e.beyond}, {"share", e.share(e.beyond)}}},
       {"z_test", nullptr},
       {"warnings", c.warnings},
       {"violations", c.violations},

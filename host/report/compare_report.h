@@ -12,7 +12,8 @@ struct MetricRow {
   std::string value;
   std::string note;
 };
-[[nodiscard]] std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparison& comparison);
+[[nodiscard]] std::vector<MetricRow> metric_rows(const CompareOptions& options,
+                                                 const Comparison& comparison);
 
 /// The report of --json. What is infinite or undefined is null.
 [[nodiscard]] nlohmann::ordered_json comparison_json(const CompareOptions& options,

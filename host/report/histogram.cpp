@@ -22,7 +22,8 @@ constexpr std::size_t bins = 60;
 /// Counts values along one axis and draws them.
 class Chart {
  public:
-  Chart(const Histogram& histogram, std::span<const double> values) : h_(histogram), values_(values) {
+  Chart(const Histogram& histogram, std::span<const double> values)
+      : h_(histogram), values_(values) {
     if (h_.logarithmic) {
       const Decades decades = decades_of(values);
       low_ = decades.first;
@@ -34,10 +35,12 @@ class Chart {
 
   [[nodiscard]] std::string figure() const {
     std::string svg = fmt::format(
-        "<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Histogram: {}\">",
+        "<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Histogram: "
+        "{}\">",
         width, height, escape_html(h_.title));
     svg += count_axis() + bars() + value_axis() + mark() + "</svg>";
-    return svg + fmt::format("<figcaption>{}</figcaption></figure>", escape_html(h_.title + "." + remarks()));
+    return svg + fmt::format("<figcaption>{}</figcaption></figure>",
+                             escape_html(h_.title + "." + remarks()));
   }
 
  private:
@@ -61,7 +64,8 @@ class Chart {
 
   static double x_of(double position) { return left + position * (width - left - right); }
   [[nodiscard]] double y_of(double count) const {
-    return height - bottom - count / std::max(1.0, static_cast<double>(largest_)) * (height - top - bottom);
+    return height - bottom -
+           count / std::max(1.0, static_cast<double>(largest_)) * (height - top - bottom);
   }
 
   [[nodiscard]] std::string bars() const {
@@ -70,8 +74,9 @@ class Chart {
     for (std::size_t i = 0; i < bins; ++i) {
       if (counts_.at(i) == 0) continue;
       const double y = y_of(static_cast<double>(counts_.at(i)));
-      svg += fmt::format("<rect class=\"bar\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>",
-                         left + static_cast<double>(i) * step, y, step - 0.8, height - bottom - y);
+      svg += fmt::format(
+          "<rect class=\"bar\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>",
+          left + static_cast<double>(i) * step, y, step - 0.8, height - bottom - y);
     }
     return svg;
   }
@@ -81,10 +86,11 @@ class Chart {
     for (const double share : {0.0, 0.5, 1.0}) {
       const double count = std::round(share * static_cast<double>(largest_));
       const double y = y_of(count);
-      svg += fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.2f}\" y2=\"{2:.2f}\"/>", left,
-                         width - right, y);
-      svg += fmt::format("<text x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{:.0f}</text>", left - 6, y + 4,
-                         count);
+      svg +=
+          fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.2f}\" y2=\"{2:.2f}\"/>",
+                      left, width - right, y);
+      svg += fmt::format("<text x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{:.0f}</text>", left - 6,
+                         y + 4, count);
     }
     return svg;
   }
@@ -94,13 +100,15 @@ class Chart {
     const int ticks = h_.logarithmic ? static_cast<int>(std::lround(high_ - low_)) : 5;
     for (int i = 0; i <= ticks; ++i) {
       const double share = static_cast<double>(i) / ticks;
-      const std::string label = h_.logarithmic ? fmt::format("{:g}", std::pow(10, std::lround(low_) + i))
-                                               : fmt::format("{:g}", share);
+      const std::string label = h_.logarithmic
+                                    ? fmt::format("{:g}", std::pow(10, std::lround(low_) + i))
+                                    : fmt::format("{:g}", share);
       svg += fmt::format("<text x=\"{:.2f}\" y=\"{}\" text-anchor=\"{}\">{}</text>", x_of(share),
                          height - bottom + 16, i == ticks ? "end" : "middle", label);
     }
-    return svg + fmt::format("<text x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\" class=\"axis\">{}</text>",
-                             x_of(0.5), height - 6, escape_html(h_.axis));
+    return svg + fmt::format(
+                     "<text x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\" class=\"axis\">{}</text>",
+                     x_of(0.5), height - 6, escape_html(h_.axis));
   }
 
   [[nodiscard]] std::string mark() const {
@@ -109,8 +117,8 @@ class Chart {
     return fmt::format(
         "<line class=\"mark\" x1=\"{0:.2f}\" x2=\"{0:.2f}\" y1=\"{1}\" y2=\"{2}\"/>"
         "<text class=\"mark\" x=\"{3:.2f}\" y=\"{4}\" text-anchor=\"{5}\">{6} {7:.3g}</text>",
-        x_of(p), top - 4, height - bottom, x_of(p) + (p > 0.7 ? -4 : 4), top - 8, p > 0.7 ? "end" : "start",
-        escape_html(h_.mark_name), h_.mark);
+        x_of(p), top - 4, height - bottom, x_of(p) + (p > 0.7 ? -4 : 4), top - 8,
+        p > 0.7 ? "end" : "start", escape_html(h_.mark_name), h_.mark);
   }
 
   /// What the bars do not show.

@@ -15,12 +15,13 @@ namespace facet::report {
 
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
-/// Replaces each {{name}} by its value, which is not searched again. Throws std::out_of_range for a name
-/// without a value.
+/// Replaces each {{name}} by its value, which is not searched again. Throws std::out_of_range for a
+/// name without a value.
 [[nodiscard]] std::string fill_template(std::string_view text,
                                         const std::map<std::string, std::string>& values);
 
-/// Decades that hold the positive finite values, at most six below the largest; {0, 1} where there are none.
+/// Decades that hold the positive finite values, at most six below the largest; {0, 1} where there
+/// are none.
 struct Decades {
   int first = 0;  ///< from 10^first
   int end = 1;    ///< to 10^end
@@ -35,8 +36,8 @@ struct Histogram {
   std::string mark_name;
 };
 
-/// A figure with an inline SVG; values that the axis cannot hold (0 on a logarithmic one, infinite, NaN) are
-/// counted beneath it.
+/// A figure with an inline SVG; values that the axis cannot hold (0 on a logarithmic one, infinite,
+/// NaN) are counted beneath it.
 [[nodiscard]] std::string svg_histogram(const Histogram& histogram, std::span<const double> values);
 
 /// One line of a chart.

@@ -51,7 +51,8 @@ class Axis {
     if (ticks.size() > most) {
       std::erase_if(ticks, [&](double t) {
         const double exponent = std::log10(t);
-        return t != ticks.front() && t != ticks.back() && std::abs(exponent - std::round(exponent)) > 0.01;
+        return t != ticks.front() && t != ticks.back() &&
+               std::abs(exponent - std::round(exponent)) > 0.01;
       });
     }
     return ticks;
@@ -74,12 +75,13 @@ class Drawing {
         y_(axis_of([](const auto& point) { return point.second; })) {}
 
   [[nodiscard]] std::string figure() const {
-    std::string svg =
-        fmt::format("<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
-                    width, height, escape_html(chart_.title));
+    std::string svg = fmt::format(
+        "<figure class=\"chart\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", width,
+        height, escape_html(chart_.title));
     svg += axes();
     for (std::size_t i = 0; i < chart_.lines.size(); ++i) svg += line(i) + legend(i);
-    return svg + fmt::format("</svg><figcaption>{}</figcaption></figure>\n", escape_html(chart_.title));
+    return svg +
+           fmt::format("</svg><figcaption>{}</figcaption></figure>\n", escape_html(chart_.title));
   }
 
  private:
@@ -96,7 +98,9 @@ class Drawing {
     return {least, greatest};
   }
 
-  [[nodiscard]] double x_of(double v) const { return left + x_.position(v) * (width - left - right); }
+  [[nodiscard]] double x_of(double v) const {
+    return left + x_.position(v) * (width - left - right);
+  }
   [[nodiscard]] double y_of(double v) const {
     return height - bottom - y_.position(v) * (height - top - bottom);
   }
@@ -104,19 +108,20 @@ class Drawing {
   [[nodiscard]] std::string axes() const {
     std::string svg;
     for (const double t : y_.ticks()) {
-      svg += fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>", left,
-                         width - right, y_of(t));
-      svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 6, y_of(t) + 4,
-                         number_text(t));
+      svg +=
+          fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>",
+                      left, width - right, y_of(t));
+      svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 6,
+                         y_of(t) + 4, number_text(t));
     }
     for (const double t : x_.ticks()) {
       svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x_of(t),
                          height - bottom + 16, number_text(t));
     }
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (left + width - right) / 2,
-                       height - 6, escape_html(chart_.x_axis));
-    return svg + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", width - right, 12,
-                             escape_html(chart_.y_axis));
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                       (left + width - right) / 2, height - 6, escape_html(chart_.x_axis));
+    return svg + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", width - right,
+                             12, escape_html(chart_.y_axis));
   }
 
   [[nodiscard]] std::string line(std::size_t i) const {
@@ -124,12 +129,13 @@ class Drawing {
     std::string dots;
     for (const auto& [px, py] : chart_.lines[i].points) {
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x_of(px), y_of(py));
-      dots +=
-          fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"><title>{}: {:g} at {:g}</title></circle>",
-                      x_of(px), y_of(py), escape_html(chart_.lines[i].name), py, px);
+      dots += fmt::format(
+          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"><title>{}: {:g} at {:g}</title></circle>",
+          x_of(px), y_of(py), escape_html(chart_.lines[i].name), py, px);
     }
     return fmt::format(
-        "<g class=\"lines\"><path class=\"{0}\" style=\"fill:none\" d=\"{1}\"/><g class=\"{0}\">{2}</g></g>",
+        "<g class=\"lines\"><path class=\"{0}\" style=\"fill:none\" d=\"{1}\"/><g "
+        "class=\"{0}\">{2}</g></g>",
         classes.at(i), path, dots);
   }
 

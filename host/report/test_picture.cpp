@@ -27,7 +27,8 @@ Color deviation(double observed, double expected) {
 
 }  // namespace
 
-void write_histogram_picture(const std::filesystem::path& path, const statistics::SphereHistogram& h) {
+void write_histogram_picture(const std::filesystem::path& path,
+                             const statistics::SphereHistogram& h) {
   const int side = std::max(1, least_panel_width / h.columns);
   const int width = side * h.columns;
   const int panel = side * h.rows;
@@ -35,11 +36,13 @@ void write_histogram_picture(const std::filesystem::path& path, const statistics
   // Gaps of a colour that no panel has.
   std::fill_n(image.plane(1), width * image.height(), 0.5F);
   double most = 0;
-  for (std::size_t i = 0; i < h.observed.size(); ++i) most = std::max({most, h.observed[i], h.expected[i]});
+  for (std::size_t i = 0; i < h.observed.size(); ++i)
+    most = std::max({most, h.observed[i], h.expected[i]});
   for (int y = 0; y < panel; ++y) {
     for (int x = 0; x < width; ++x) {
       const auto bin = static_cast<std::size_t>((h.rows - 1 - y / side) * h.columns + x / side);
-      const Color colours[3] = {brightness(h.observed[bin], most), brightness(h.expected[bin], most),
+      const Color colours[3] = {brightness(h.observed[bin], most),
+                                brightness(h.expected[bin], most),
                                 deviation(h.observed[bin], h.expected[bin])};
       for (int p = 0; p < 3; ++p) {
         for (int c = 0; c < 3; ++c) image.at(x, y + p * (panel + gap), c) = colours[p][c];

@@ -23,9 +23,10 @@ nlohmann::ordered_json finite(double value) {
 std::string figures(const nori::TestCase& c) {
   const nori::Verdict& v = c.verdict;
   const std::string statistic =
-      is_chi_squared(c) ? fmt::format("chi2 = {:.2f} ({:.0f} degrees of freedom)", v.statistic, v.degrees)
-                        : fmt::format("t = {:.2f} (mean {:.6g}, reference {:.6g})", v.statistic,
-                                      c.estimate.mean, c.reference);
+      is_chi_squared(c)
+          ? fmt::format("chi2 = {:.2f} ({:.0f} degrees of freedom)", v.statistic, v.degrees)
+          : fmt::format("t = {:.2f} (mean {:.6g}, reference {:.6g})", v.statistic, c.estimate.mean,
+                        c.reference);
   return fmt::format("{}, p = {:.3g}", statistic, v.p_value);
 }
 
@@ -59,10 +60,13 @@ std::string json_report(const std::vector<ReportedCase>& cases, const std::strin
     if (!r.picture.empty()) one["picture"] = r.picture;
     list.push_back(one);
   }
-  const auto passed =
-      std::count_if(cases.begin(), cases.end(), [](const auto& r) { return r.result.verdict.passed; });
-  const nlohmann::ordered_json json{
-      {"backend", backend}, {"seed", seed}, {"total", cases.size()}, {"passed", passed}, {"cases", list}};
+  const auto passed = std::count_if(cases.begin(), cases.end(),
+                                    [](const auto& r) { return r.result.verdict.passed; });
+  const nlohmann::ordered_json json{{"backend", backend},
+                                    {"seed", seed},
+                                    {"total", cases.size()},
+                                    {"passed", passed},
+                                    {"cases", list}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

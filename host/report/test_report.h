@@ -18,12 +18,13 @@ struct ReportedCase {
 /// "file: case: t = 0.7, p = 0.48, passed"
 [[nodiscard]] std::string case_line(const ReportedCase& reported);
 
-/// "t = 0.7 (mean 0.5, reference 0.5), p = 0.48" or "chi2 = 180.1 (175 degrees of freedom), p = 0.38".
+/// "t = 0.7 (mean 0.5, reference 0.5), p = 0.48" or "chi2 = 180.1 (175 degrees of freedom), p =
+/// 0.38".
 [[nodiscard]] std::string figures(const nori::TestCase& result);
 
 /// {"backend", "seed", "passed", "cases": [...]}
-[[nodiscard]] std::string json_report(const std::vector<ReportedCase>& cases, const std::string& backend,
-                                      std::uint32_t seed);
+[[nodiscard]] std::string json_report(const std::vector<ReportedCase>& cases,
+                                      const std::string& backend, std::uint32_t seed);
 
 /// A <testsuites> with one <testsuite> a file.
 [[nodiscard]] std::string junit_report(const std::vector<ReportedCase>& cases);

@@ -17,7 +17,9 @@ double value(const GaussianFilter& f, double x) {
 double value(const MitchellFilter& f, double x) {
   const double t = 2 * std::abs(x) / f.radius;
   if (t < 1) {
-    return ((12 - 9 * f.b - 6 * f.c) * t * t * t + (-18 + 12 * f.b + 6 * f.c) * t * t + (6 - 2 * f.b)) / 6;
+    return ((12 - 9 * f.b - 6 * f.c) * t * t * t + (-18 + 12 * f.b + 6 * f.c) * t * t +
+            (6 - 2 * f.b)) /
+           6;
   }
   // In factors, so that its sign is right up to the end.
   const double left = 2 - t;

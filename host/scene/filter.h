@@ -1,5 +1,6 @@
 #pragma once
-// Reconstruction filters: one-dimensional profiles, of which the image filter is the product over x and y.
+// Reconstruction filters: one-dimensional profiles, of which the image filter is the product over x
+// and y.
 #include <string>
 #include <variant>
 
@@ -12,8 +13,8 @@ namespace facet {
    | radius    | 2       | pixels, 0.01 to 100        |
    | stddev    | 0.5     | deviation, 0.01 to 100     |
 
-   exp(-x^2/(2 stddev^2)) - exp(-radius^2/(2 stddev^2)), the product over x and y. Samples are spread by the
-   filter: no pixel depends on another's. */
+   exp(-x^2/(2 stddev^2)) - exp(-radius^2/(2 stddev^2)), the product over x and y. Samples are
+   spread by the filter: no pixel depends on another's. */
 struct GaussianFilter {
   double radius = 2;
   double stddev = 0.5;
@@ -26,9 +27,9 @@ struct GaussianFilter {
    | radius    | 2       | pixels, 0.01 to 100; in the paper 2            |
    | B, C      | 1/3     | the paper's parameters                         |
 
-   Negative in parts: such samples are subtracted. B and C may be any for which it is positive at the centre,
-   changes its sign once at most on the way out, and has a positive integral: B from 0 to 1 with C from 0 to 1
-   are among them. */
+   Negative in parts: such samples are subtracted. B and C may be any for which it is positive at
+   the centre, changes its sign once at most on the way out, and has a positive integral: B from 0
+   to 1 with C from 0 to 1 are among them. */
 struct MitchellFilter {
   double radius = 2;
   double b = 1.0 / 3;
@@ -49,8 +50,8 @@ using Filter = std::variant<GaussianFilter, MitchellFilter, TentFilter, BoxFilte
 /// Value at x pixels from the centre; not normalised.
 [[nodiscard]] double filter_value(const Filter& filter, double x);
 
-/// Whether the filter is positive at its centre and changes its sign once at most on its way out, which is
-/// what sampling it takes for granted.
+/// Whether the filter is positive at its centre and changes its sign once at most on its way out,
+/// which is what sampling it takes for granted.
 [[nodiscard]] bool is_bell(const Filter& filter);
 
 /// Whether the filter is negative where it ends.

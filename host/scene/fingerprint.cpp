@@ -7,7 +7,8 @@ namespace facet {
 
 namespace {
 
-/// FNV-1a (Fowler, Noll, Vo) over 32-bit words instead of bytes, with a shift that brings high bits down.
+/// FNV-1a (Fowler, Noll, Vo) over 32-bit words instead of bytes, with a shift that brings high bits
+/// down.
 class Hash {
  public:
   void add(std::uint32_t word) {
@@ -43,10 +44,11 @@ class Hash {
     std::visit([this](const auto& item) { add(item); }, any);
   }
 
-  // Members are taken apart by name, so that one that is new cannot be forgotten: it does not compile.
+  // Members are taken apart by name, so that one that is new cannot be forgotten: it does not
+  // compile.
   void add(const Mesh& mesh) {
-    const auto& [name, where, positions, normals, texcoords, p_indices, n_indices, t_indices, bsdf, emitter] =
-        mesh;
+    const auto& [name, where, positions, normals, texcoords, p_indices, n_indices, t_indices, bsdf,
+                 emitter] = mesh;
     add(positions);
     add(normals);
     add(texcoords);
@@ -131,7 +133,8 @@ class Hash {
   }
 
   [[nodiscard]] std::uint64_t value() const {
-    // The finaliser of G. Steele, D. Lea and C. Flood's SplitMix: the last words, too, reach every bit.
+    // The finaliser of G. Steele, D. Lea and C. Flood's SplitMix: the last words, too, reach every
+    // bit.
     std::uint64_t z = state_;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
@@ -145,8 +148,8 @@ class Hash {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed, sampler] =
-      scene;
+  const auto& [file, meshes, bsdfs, emitters, textures, camera, integrator, sample_count, seed,
+               sampler] = scene;
   Hash hash;
   hash.add(meshes);
   hash.add(bsdfs);

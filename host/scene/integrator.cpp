@@ -26,8 +26,8 @@ const std::vector<IntegratorType>& integrator_types() {
 
 std::optional<IntegratorType> find_integrator_type(std::string_view name) {
   const auto& types = integrator_types();
-  const auto found =
-      std::find_if(types.begin(), types.end(), [&](const IntegratorType& t) { return t.name == name; });
+  const auto found = std::find_if(types.begin(), types.end(),
+                                  [&](const IntegratorType& t) { return t.name == name; });
   return found == types.end() ? std::nullopt : std::optional(*found);
 }
 

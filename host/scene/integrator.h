@@ -40,7 +40,9 @@ struct Integrator {
     return max_depth < 0 ? type.interactions : std::min(max_depth, type.interactions);
   }
   /// Whether light is estimated at all, so that a scene without emitters is black.
-  [[nodiscard]] bool needs_emitters() const { return type.emitter_sampling || type.material_sampling; }
+  [[nodiscard]] bool needs_emitters() const {
+    return type.emitter_sampling || type.material_sampling;
+  }
 };
 
 }  // namespace facet

@@ -14,9 +14,10 @@ namespace {
 
 std::vector<PluginInfo> make_plugins() {
   std::vector<PluginInfo> list{
-      {"mesh", "obj"},     {"camera", "perspective"}, {"rfilter", "gaussian"}, {"rfilter", "mitchell"},
-      {"rfilter", "tent"}, {"rfilter", "box"},        {"texture", "textmap"},  {"texture", "checker"},
-      {"test", "ttest"},   {"test", "chi2test"},
+      {"mesh", "obj"},         {"camera", "perspective"}, {"rfilter", "gaussian"},
+      {"rfilter", "mitchell"}, {"rfilter", "tent"},       {"rfilter", "box"},
+      {"texture", "textmap"},  {"texture", "checker"},    {"test", "ttest"},
+      {"test", "chi2test"},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name});
   FACET_BSDF_LIST(FACET_BSDF)
@@ -26,7 +27,8 @@ std::vector<PluginInfo> make_plugins() {
 #undef FACET_EMITTER
   for (const std::string_view name : sampler_names) list.push_back({"sampler", name});
   for (const IntegratorType& type : integrator_types()) list.push_back({"integrator", type.name});
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const auto& a, const auto& b) { return a.tag < b.tag; });
   return list;
 }
 

@@ -4,7 +4,8 @@
 
 namespace facet {
 
-Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics, const Overridden& overridden) {
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
+                 const Overridden& overridden) {
   const XmlDocument xml(path);
   diagnostics.add_inputs(xml.files());
   const pugi::xml_node root = xml.root();
@@ -13,7 +14,8 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics, co
                      fmt::format("this is a <test>; run it with: facet test {}", path.string()));
   }
   if (std::string_view(root.name()) != "scene") {
-    throw InputError(xml.location(root), fmt::format("the root is <{}>; <scene> expected", root.name()));
+    throw InputError(xml.location(root),
+                     fmt::format("the root is <{}>; <scene> expected", root.name()));
   }
   return SceneReader(xml, diagnostics, overridden).read(root);
 }
@@ -22,9 +24,9 @@ void check_image_size(long long width, long long height) {
   if (width >= 1 && height >= 1 && width <= largest_image_side && height <= largest_image_side &&
       width * height <= largest_image_area)
     return;
-  throw InputError(
-      fmt::format("an image of {}x{} pixels: sides must be 1 to {}, and the whole at most {} pixels", width,
-                  height, largest_image_side, largest_image_area));
+  throw InputError(fmt::format(
+      "an image of {}x{} pixels: sides must be 1 to {}, and the whole at most {} pixels", width,
+      height, largest_image_side, largest_image_area));
 }
 
 }  // namespace facet

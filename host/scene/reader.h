@@ -8,14 +8,16 @@
 
 namespace facet {
 
-/// What a caller replaces, so that a scene whose own is unknown can be read all the same, with a warning.
+/// What a caller replaces, so that a scene whose own is unknown can be read all the same, with a
+/// warning.
 struct Overridden {
   bool integrator = false;
   bool sampler = false;
 };
 
-/// Reads a scene in Nori's language. Throws InputError with file and line for whatever is wrong. A scene
-/// without an integrator is left with an integrator of empty name, for the command line to fill in.
+/// Reads a scene in Nori's language. Throws InputError with file and line for whatever is wrong. A
+/// scene without an integrator is left with an integrator of empty name, for the command line to
+/// fill in.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                                const Overridden& overridden = {});
 

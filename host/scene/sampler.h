@@ -6,15 +6,15 @@
    | sampleCount | 1       | samples a pixel                     |
    | seed        | 0       | another seed gives another estimate |
 
-   `independent`: every number is a hash of pixel, sample and dimension (M. Jarzynski, M. Olano, JCGT 9(3),
-   2020).
+   `independent`: every number is a hash of pixel, sample and dimension (M. Jarzynski, M. Olano,
+   JCGT 9(3), 2020).
 
-   `sobol`: the samples of a pixel are spread evenly in each pair of dimensions that belong together:
-   Owen-scrambled points of Sobol', shuffled from one pair to the next (B. Burley, "Practical Hash-based Owen
-   Scrambling", JCGT 9(4), 2020). Less noise, most of all where little but one light or one lobe is sampled;
-   the numbers of samples that are powers of two serve best. Estimates of the error that a render makes of
-   itself (variance channels, error_estimate) are too large with it: they take the samples of a pixel for
-   independent. */
+   `sobol`: the samples of a pixel are spread evenly in each pair of dimensions that belong
+   together: Owen-scrambled points of Sobol', shuffled from one pair to the next (B. Burley,
+   "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020). Less noise, most of all where little
+   but one light or one lobe is sampled; the numbers of samples that are powers of two serve best.
+   Estimates of the error that a render makes of itself (variance channels, error_estimate) are too
+   large with it: they take the samples of a pixel for independent. */
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -27,12 +27,14 @@ Box Scene::bounds() const {
 }
 
 Color Scene::mean_radiance(const AreaEmitter& emitter) const {
-  return emitter.texture == none ? emitter.radiance : emitter.radiance * mean(textures[emitter.texture]);
+  return emitter.texture == none ? emitter.radiance
+                                 : emitter.radiance * mean(textures[emitter.texture]);
 }
 
 std::uint32_t Scene::environment() const {
   for (std::size_t i = 0; i < emitters.size(); ++i) {
-    if (std::holds_alternative<EnvironmentEmitter>(emitters[i])) return static_cast<std::uint32_t>(i);
+    if (std::holds_alternative<EnvironmentEmitter>(emitters[i]))
+      return static_cast<std::uint32_t>(i);
   }
   return none;
 }

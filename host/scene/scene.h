@@ -1,5 +1,6 @@
 #pragma once
-// A scene as plain typed data, as the files say it: no defaults left to fill in, no packing for any renderer.
+// A scene as plain typed data, as the files say it: no defaults left to fill in, no packing for any
+// renderer.
 #include <facet/film.h>
 
 #include <array>
@@ -19,8 +20,8 @@
 
 namespace facet {
 
-/// Triangles with what they look like. World space. Indices are zero-based; the three kinds of vertex data
-/// have lists of their own, as in OBJ files.
+/// Triangles with what they look like. World space. Indices are zero-based; the three kinds of
+/// vertex data have lists of their own, as in OBJ files.
 struct Mesh {
   std::string name;  ///< the file it came from
   SourceLocation where;
@@ -28,14 +29,15 @@ struct Mesh {
   std::vector<vec3> normals;  ///< unit; empty without
   std::vector<vec2> texcoords;
   std::vector<uvec3> position_indices;
-  std::vector<uvec3> normal_indices;    ///< one a triangle or empty; x = none: that triangle has no normals
+  std::vector<uvec3>
+      normal_indices;  ///< one a triangle or empty; x = none: that triangle has no normals
   std::vector<uvec3> texcoord_indices;  ///< likewise
   std::uint32_t bsdf = 0;               ///< index into Scene::bsdfs
   std::uint32_t emitter = none;         ///< index into Scene::emitters
 };
 
-/// Area of a triangle of the mesh in m^2; 0 if it is too small for a float to hold, so that nothing can hit
-/// it.
+/// Area of a triangle of the mesh in m^2; 0 if it is too small for a float to hold, so that nothing
+/// can hit it.
 [[nodiscard]] double triangle_area(const Mesh& mesh, std::size_t triangle);
 
 /// One-sided emission of a mesh.
@@ -51,8 +53,8 @@ struct PointLight {
   Color intensity{1};  ///< W sr^-1
 };
 
-/// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the file: up
-/// is the last.
+/// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the
+/// file: up is the last.
 struct EnvironmentEmitter {
   int width = 1;
   int height = 1;

@@ -37,8 +37,8 @@ void SceneReader::read_camera(PropertyReader& scene) {
   c.width = p.integer("width", c.width, 1, largest_image_side);
   c.height = p.integer("height", c.height, 1, largest_image_side);
   if (static_cast<long long>(c.width) * c.height > largest_image_area) {
-    p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width, c.height,
-                                largest_image_area));
+    p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width,
+                                c.height, largest_image_area));
   }
   c.to_world = p.transform("toWorld");
   if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
@@ -68,9 +68,11 @@ Filter SceneReader::read_filter(const pugi::xml_node& node) {
     f.c = p.real_between("C", f.c, -10, 10);
     filter = f;
     if (!is_bell(filter))
-      p.fail("C", fmt::format("with B = {} and C = {} the filter is not positive first and negative beyond; "
-                              "B from 0 to 1 and C from 0 to 1 are usual",
-                              f.b, f.c));
+      p.fail("C",
+             fmt::format(
+                 "with B = {} and C = {} the filter is not positive first and negative beyond; "
+                 "B from 0 to 1 and C from 0 to 1 are usual",
+                 f.b, f.c));
   } else if (p.type() == "tent") {
     filter = TentFilter{};
   } else if (p.type() == "box") {
@@ -94,9 +96,11 @@ void SceneReader::read_sampler(PropertyReader& scene) {
   p.finish(diagnostics_);
 }
 
-void SceneReader::forgive_unknown_type(const PropertyReader& p, const std::string& tag, bool overridden) {
+void SceneReader::forgive_unknown_type(const PropertyReader& p, const std::string& tag,
+                                       bool overridden) {
   if (!overridden) fail_unknown_type(p, tag);
-  diagnostics_.warn(p.location(), fmt::format("{}: unknown type, replaced by --{}", p.title(), tag));
+  diagnostics_.warn(p.location(),
+                    fmt::format("{}: unknown type, replaced by --{}", p.title(), tag));
 }
 
 void SceneReader::read_integrator(PropertyReader& scene) {
@@ -158,7 +162,8 @@ AreaEmitter SceneReader::read_mesh_emitter(const pugi::xml_node& node) {
   PropertyReader p = open_textured(node);
   if (p.type() != "area") {
     if (p.type() == "environment" || p.type() == "pointlight") {
-      throw InputError(p.location(), fmt::format("{} belongs to the scene, not to a mesh", p.title()));
+      throw InputError(p.location(),
+                       fmt::format("{} belongs to the scene, not to a mesh", p.title()));
     }
     fail_unknown_type(p, "emitter");
   }
@@ -168,17 +173,20 @@ AreaEmitter SceneReader::read_mesh_emitter(const pugi::xml_node& node) {
 }
 
 std::uint32_t SceneReader::read_material_texture(const std::filesystem::path& map,
-                                                 const std::string& material, const SourceLocation& where) {
+                                                 const std::string& material,
+                                                 const SourceLocation& where) {
   try {
     scene_.textures.emplace_back(read_material_map(map, where, diagnostics_));
   } catch (const InputError& e) {
-    diagnostics_.warn(where, fmt::format("material \"{}\": {}; its colour stands in", material, e.what()));
+    diagnostics_.warn(where,
+                      fmt::format("material \"{}\": {}; its colour stands in", material, e.what()));
     return none;
   }
   return static_cast<std::uint32_t>(scene_.textures.size() - 1);
 }
 
-std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts, const std::filesystem::path& folder,
+std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts,
+                                              const std::filesystem::path& folder,
                                               const SourceLocation& where) {
   std::vector<Bsdf> bsdfs;
   if (parts.material_files.empty()) return {parts.meshes.size(), bsdf::Diffuse{}};
@@ -200,15 +208,17 @@ std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts, const std::
     diffuse.albedo.texture = texture->second;
   }
   if (!unknown.empty()) {
-    diagnostics_.warn(where,
-                      fmt::format("no materials file defines \"{}\"{}", unknown.front(),
-                                  unknown.size() > 1 ? fmt::format(" and {} more", unknown.size() - 1) : ""));
+    diagnostics_.warn(
+        where,
+        fmt::format("no materials file defines \"{}\"{}", unknown.front(),
+                    unknown.size() > 1 ? fmt::format(" and {} more", unknown.size() - 1) : ""));
   }
   if (!materials.empty()) {
-    diagnostics_.warn(where,
-                      fmt::format("the mesh has no <bsdf>: the diffuse colours and textures of {} are used, "
-                                  "and nothing else of its materials",
-                                  fmt::join(parts.material_files, ", ")));
+    diagnostics_.warn(
+        where,
+        fmt::format("the mesh has no <bsdf>: the diffuse colours and textures of {} are used, "
+                    "and nothing else of its materials",
+                    fmt::join(parts.material_files, ", ")));
   }
   return bsdfs;
 }
@@ -262,7 +272,8 @@ std::uint32_t SceneReader::add_texture(const pugi::xml_node& node, float most) {
 
 PropertyReader SceneReader::open(const pugi::xml_node& node) const {
   if (!node.attribute("type")) {
-    throw InputError(xml_.location(node), fmt::format("<{}> lacks the attribute \"type\"", node.name()));
+    throw InputError(xml_.location(node),
+                     fmt::format("<{}> lacks the attribute \"type\"", node.name()));
   }
   return {xml_, node};
 }

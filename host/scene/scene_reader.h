@@ -7,8 +7,8 @@
 
 namespace facet {
 
-/// Gathers a scene's parts; for one scene. Every member throws InputError, with file and line, for whatever
-/// is wrong. Keeps references to its arguments.
+/// Gathers a scene's parts; for one scene. Every member throws InputError, with file and line, for
+/// whatever is wrong. Keeps references to its arguments.
 class SceneReader {
  public:
   SceneReader(const XmlDocument& xml, Diagnostics& diagnostics, const Overridden& overridden = {})
@@ -18,8 +18,8 @@ class SceneReader {
 
   /// All of a <scene>.
   [[nodiscard]] Scene read(const pugi::xml_node& node) &&;
-  /// The same, with meshes that are in memory: the k-th <mesh type="memory"> stands for the k-th of them, and
-  /// has a BSDF.
+  /// The same, with meshes that are in memory: the k-th <mesh type="memory"> stands for the k-th of
+  /// them, and has a BSDF.
   [[nodiscard]] Scene read(const pugi::xml_node& node, std::vector<Mesh> memory_meshes) &&;
   /// A <bsdf>; its textures join those of the scene.
   [[nodiscard]] Bsdf read_bsdf(const pugi::xml_node& node);
@@ -43,7 +43,8 @@ class SceneReader {
   std::uint32_t read_material_texture(const std::filesystem::path& map, const std::string& material,
                                       const SourceLocation& where);
   /// What the materials of an OBJ file in that folder say of each of its parts.
-  [[nodiscard]] std::vector<Bsdf> read_materials(const ObjParts& parts, const std::filesystem::path& folder,
+  [[nodiscard]] std::vector<Bsdf> read_materials(const ObjParts& parts,
+                                                 const std::filesystem::path& folder,
                                                  const SourceLocation& where);
   [[nodiscard]] AreaEmitter read_mesh_emitter(const pugi::xml_node& node);
   void read_emitter(const pugi::xml_node& node);

@@ -15,8 +15,8 @@ template <typename Names>
 [[noreturn]] void fail_unknown(const char* what, const std::string& name, const Names& known) {
   std::vector<std::string> names;
   for (const auto& n : known) names.emplace_back(n);
-  throw InputError(fmt::format("{} \"{}\": unknown{}; there are: {}", what, name, did_you_mean(name, names),
-                               fmt::join(names, ", ")));
+  throw InputError(fmt::format("{} \"{}\": unknown{}; there are: {}", what, name,
+                               did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
@@ -31,11 +31,12 @@ Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
     integrator.type = *type;
   }
   if (integrator.type.name.empty())
-    throw InputError(
-        fmt::format("{}: the scene has no integrator; name one with --integrator", scene.file.string()));
+    throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator",
+                                 scene.file.string()));
   if (request.max_depth) {
     if (*request.max_depth < -1)
-      throw InputError(fmt::format("maximum depth {}: -1 (unlimited) or more expected", *request.max_depth));
+      throw InputError(
+          fmt::format("maximum depth {}: -1 (unlimited) or more expected", *request.max_depth));
     integrator.max_depth = *request.max_depth;
   }
   if (request.heuristic) integrator.heuristic = *request.heuristic;
@@ -61,9 +62,10 @@ Crop crop_of(const ImageSize& size, const RenderRequest& request) {
     c = {x, y, x + 1, y + 1};
     asked = fmt::format("--pixel {},{}", x, y);
   }
-  if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > size.width || c.y1 > size.height)
-    throw InputError(
-        fmt::format("{} lies outside the image of {}x{} pixels or is empty", asked, size.width, size.height));
+  if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > size.width ||
+      c.y1 > size.height)
+    throw InputError(fmt::format("{} lies outside the image of {}x{} pixels or is empty", asked,
+                                 size.width, size.height));
   return c;
 }
 
@@ -72,7 +74,8 @@ SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
   if (request.sample_range) {
     const SampleRange& range = *request.sample_range;
     if (range.begin >= range.end || range.end > most)
-      throw InputError(fmt::format("--sample-range {}:{}: empty or too large", range.begin, range.end));
+      throw InputError(
+          fmt::format("--sample-range {}:{}: empty or too large", range.begin, range.end));
     return range;
   }
   const int count = request.samples.value_or(scene.sample_count);

@@ -32,9 +32,9 @@ struct RenderSettings {
   [[nodiscard]] ImageWindow window() const { return {crop.x0, crop.y0, size.width, size.height}; }
 };
 
-/// The settings of a render of the scene as the request wants it. Throws InputError for a request that
-/// nothing can meet: an unknown integrator or sampler, none at all, a size beyond check_image_size, pixels
-/// outside the image, or a range without samples.
+/// The settings of a render of the scene as the request wants it. Throws InputError for a request
+/// that nothing can meet: an unknown integrator or sampler, none at all, a size beyond
+/// check_image_size, pixels outside the image, or a range without samples.
 [[nodiscard]] RenderSettings resolve(const Scene& scene, const RenderRequest& request);
 
 /// The scene's camera with the settings' size of the image.
@@ -43,7 +43,8 @@ struct RenderSettings {
 /// The scene's BSDFs with the settings' masking function.
 [[nodiscard]] std::vector<Bsdf> bsdfs_of(const Scene& scene, const RenderSettings& settings);
 
-/// What can be said of a render before it has begun: all of the record but who renders, and the time.
+/// What can be said of a render before it has begun: all of the record but who renders, and the
+/// time.
 [[nodiscard]] RenderRecord record_of(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace facet

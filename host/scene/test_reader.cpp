@@ -25,7 +25,8 @@ TTest read_t_test(PropertyReader& p) {
   test.angles = read_list(p, "angles");
   for (const double angle : test.angles) {
     if (angle < 0 || angle > 180)
-      p.fail("angles", fmt::format("holds {:g}, but an angle lies between 0 and 180 degrees", angle));
+      p.fail("angles",
+             fmt::format("holds {:g}, but an angle lies between 0 and 180 degrees", angle));
   }
   test.references = read_list(p, "references");
   test.sample_count = p.integer("sampleCount", test.sample_count, 2, 1 << 30);
@@ -35,9 +36,11 @@ TTest read_t_test(PropertyReader& p) {
 ChiSquaredTest read_chi_squared_test(PropertyReader& p) {
   ChiSquaredTest test;
   test.resolution = p.integer("resolution", test.resolution, 1, 1000);
-  test.least_expected = p.integer("minExpFrequency", static_cast<int>(test.least_expected), 1, 1 << 30);
+  test.least_expected =
+      p.integer("minExpFrequency", static_cast<int>(test.least_expected), 1, 1 << 30);
   test.sample_count = p.integer("sampleCount", test.sample_count, -1, 1 << 30);
-  if (test.sample_count == 0) p.fail("sampleCount", "is 0, but must be -1 (5000 a bin) or positive");
+  if (test.sample_count == 0)
+    p.fail("sampleCount", "is 0, but must be -1 (5000 a bin) or positive");
   test.direction_count = p.integer("testCount", test.direction_count, 1, 1 << 20);
   return test;
 }
@@ -49,13 +52,16 @@ void read_subjects(const XmlDocument& xml, PropertyReader& p, StatisticalTest& t
     SceneReader reader(xml, diagnostics);
     test.bsdfs.push_back({reader.read_bsdf(node), title_of(node), xml.location(node)});
     if (reader.has_textures())
-      throw InputError(xml.location(node), "a BSDF under test cannot have textures: it lies on no mesh");
+      throw InputError(xml.location(node),
+                       "a BSDF under test cannot have textures: it lies on no mesh");
   }
   for (const pugi::xml_node& node : p.children("scene")) {
     if (std::holds_alternative<ChiSquaredTest>(test.kind))
-      throw InputError(xml.location(node), fmt::format("{} cannot hold a scene, only BSDFs", p.title()));
+      throw InputError(xml.location(node),
+                       fmt::format("{} cannot hold a scene, only BSDFs", p.title()));
     if (!test.bsdfs.empty())
-      throw InputError(xml.location(node), fmt::format("{} holds both BSDFs and scenes", p.title()));
+      throw InputError(xml.location(node),
+                       fmt::format("{} holds both BSDFs and scenes", p.title()));
     test.scenes.push_back({SceneReader(xml, diagnostics).read(node), xml.location(node)});
     if (test.scenes.back().scene.integrator.type.name.empty())
       throw InputError(xml.location(node), "the scene has no integrator");
@@ -72,22 +78,25 @@ void check_references(const PropertyReader& p, const StatisticalTest& test) {
   if (!test.scenes.empty()) {
     if (!t->angles.empty()) p.fail("angles", "are for BSDFs, but the test holds scenes");
     if (count != test.scenes.size())
-      p.fail("references",
-             fmt::format("hold {} numbers for {} scenes; one for each expected", count, test.scenes.size()));
+      p.fail("references", fmt::format("hold {} numbers for {} scenes; one for each expected",
+                                       count, test.scenes.size()));
     return;
   }
-  if (t->angles.empty()) p.fail("angles", "are missing: the directions from which the BSDFs are seen");
+  if (t->angles.empty())
+    p.fail("angles", "are missing: the directions from which the BSDFs are seen");
   if (count != test.case_count()) {
     p.fail("references",
-           fmt::format("hold {} numbers for {} angles and {} BSDFs; one per angle for each BSDF expected",
-                       count, t->angles.size(), test.bsdfs.size()));
+           fmt::format(
+               "hold {} numbers for {} angles and {} BSDFs; one per angle for each BSDF expected",
+               count, t->angles.size(), test.bsdfs.size()));
   }
 }
 
 }  // namespace
 
 std::size_t StatisticalTest::case_count() const {
-  if (const auto* t = std::get_if<TTest>(&kind)) return scenes.size() + bsdfs.size() * t->angles.size();
+  if (const auto* t = std::get_if<TTest>(&kind))
+    return scenes.size() + bsdfs.size() * t->angles.size();
   return bsdfs.size() * static_cast<std::size_t>(std::get<ChiSquaredTest>(kind).direction_count);
 }
 
@@ -96,12 +105,15 @@ StatisticalTest read_test(const std::filesystem::path& path, Diagnostics& diagno
   diagnostics.add_inputs(xml.files());
   const pugi::xml_node root = xml.root();
   if (std::string_view(root.name()) == "scene") {
-    throw InputError(xml.location(root),
-                     fmt::format("this is a <scene>; render it with: facet render {}", path.string()));
+    throw InputError(
+        xml.location(root),
+        fmt::format("this is a <scene>; render it with: facet render {}", path.string()));
   }
   if (std::string_view(root.name()) != "test")
-    throw InputError(xml.location(root), fmt::format("the root is <{}>; <test> expected", root.name()));
-  if (!root.attribute("type")) throw InputError(xml.location(root), "<test> lacks the attribute \"type\"");
+    throw InputError(xml.location(root),
+                     fmt::format("the root is <{}>; <test> expected", root.name()));
+  if (!root.attribute("type"))
+    throw InputError(xml.location(root), "<test> lacks the attribute \"type\"");
   PropertyReader p(xml, root);
   StatisticalTest test;
   test.file = path;

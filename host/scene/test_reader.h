@@ -6,6 +6,7 @@
 namespace facet {
 
 /// Reads a <test> in Nori's language. Throws InputError with file and line for whatever is wrong.
-[[nodiscard]] StatisticalTest read_test(const std::filesystem::path& path, Diagnostics& diagnostics);
+[[nodiscard]] StatisticalTest read_test(const std::filesystem::path& path,
+                                        Diagnostics& diagnostics);
 
 }  // namespace facet

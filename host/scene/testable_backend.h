@@ -9,7 +9,8 @@ namespace facet {
 
 class TestableBackend : public Backend {
  public:
-  [[nodiscard]] std::unique_ptr<Rendering> start(const ScenePtr& scene, const RenderRequest& request) final {
+  [[nodiscard]] std::unique_ptr<Rendering> start(const ScenePtr& scene,
+                                                 const RenderRequest& request) final {
     return start(scene, resolve(*scene, request));
   }
 
@@ -18,8 +19,8 @@ class TestableBackend : public Backend {
                                                          const RenderSettings& settings) = 0;
 
   /// One BSDF by itself. The backend must outlive it.
-  [[nodiscard]] virtual std::unique_ptr<statistics::BsdfEvaluator> evaluator(const Bsdf& bsdf,
-                                                                             LobeSampling sampling) = 0;
+  [[nodiscard]] virtual std::unique_ptr<statistics::BsdfEvaluator> evaluator(
+      const Bsdf& bsdf, LobeSampling sampling) = 0;
 };
 
 /// A scene that outlives all renderings of it.

@@ -1,5 +1,6 @@
 #pragma once
-// One BSDF, evaluated and sampled in bulk: what statistical tests ask of the kernels or of the reference.
+// One BSDF, evaluated and sampled in bulk: what statistical tests ask of the kernels or of the
+// reference.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,7 +47,8 @@ class BsdfEvaluator {
   /// One sample for each triple of numbers.
   [[nodiscard]] virtual std::vector<BsdfDraw> sample(const vec3& wo,
                                                      std::span<const BsdfNumbers> numbers) = 0;
-  /// `count` samples whose numbers are those of docs/sampling.md for pixel 0, samples 0, 1, ... and a seed.
+  /// `count` samples whose numbers are those of docs/sampling.md for pixel 0, samples 0, 1, ... and
+  /// a seed.
   [[nodiscard]] virtual std::vector<BsdfDraw> sample(const vec3& wo, std::uint32_t count,
                                                      std::uint32_t seed) = 0;
 };

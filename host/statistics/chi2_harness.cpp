@@ -13,8 +13,8 @@ namespace facet::statistics {
 
 namespace {
 
-/// Expected counts below this are pooled (W. Cochran, "Some Methods for Strengthening the Common Chi-Squared
-/// Tests", 1954).
+/// Expected counts below this are pooled (W. Cochran, "Some Methods for Strengthening the Common
+/// Chi-Squared Tests", 1954).
 constexpr double least_expected = 5;
 /// Mass that quadrature may miss between its points, and that rounded densities may hide.
 constexpr double unseen = 1e-4;
@@ -23,7 +23,8 @@ constexpr std::size_t most_deltas = 8;
 bool is_unit(const vec3& w) { return std::abs(glm::dot(w, w) - 1.0F) < 1e-5F; }
 
 bool is_weight(const vec3& w) {
-  return std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.z) && w.x >= 0 && w.y >= 0 && w.z >= 0;
+  return std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.z) && w.x >= 0 && w.y >= 0 &&
+         w.z >= 0;
 }
 
 bool is_rejected(const BsdfDraw& d) { return d.weight == vec3(0); }
@@ -59,8 +60,8 @@ struct Tally {
     } else if (is_rejected(draw)) {
       ++rejected;
     } else {
-      const dvec3 w =
-          dvec3(draw.weight) * (draw.wi.z * side < 0 ? static_cast<double>(transmission_scale) : 1.0);
+      const dvec3 w = dvec3(draw.weight) *
+                      (draw.wi.z * side < 0 ? static_cast<double>(transmission_scale) : 1.0);
       sum += w;
       squares += w * w;
       if (draw.pdf < 0) {
@@ -81,10 +82,12 @@ struct Tally {
   }
 };
 
-Tally count_samples(std::span<const BsdfDraw> draws, const DirectionBins& bins, float side, float scale) {
+Tally count_samples(std::span<const BsdfDraw> draws, const DirectionBins& bins, float side,
+                    float scale) {
   Tally total;
   total.bins.resize(bins.bin_count());
-  // Sums of doubles depend on their order; threads' tallies are therefore added in order of the samples.
+  // Sums of doubles depend on their order; threads' tallies are therefore added in order of the
+  // samples.
   constexpr std::size_t grain = 1U << 16U;
   std::vector<Tally> tallies((draws.size() + grain - 1) / grain);
   parallel_for(draws.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -120,18 +123,21 @@ class Chi2Sum {
     add_term(difference, std::max(expected, least_expected));
   }
   void finish(Chi2Result& result) {
-    // What is rarer than the approximation wants counts as if it were not: it then weighs too little, never
-    // too much.
+    // What is rarer than the approximation wants counts as if it were not: it then weighs too
+    // little, never too much.
     add_term(pool_observed_ - pool_expected_, std::max(pool_expected_, least_expected));
     result.statistic = statistic_;
     result.populated_bins = populated_;
     // Bins, the pool and the rest: their sum is given.
     result.degrees = populated_ + (pool_expected_ >= least_expected ? 1 : 0);
-    result.p_value = std::isfinite(statistic_) ? chi_squared_survival(statistic_, result.degrees) : 0;
+    result.p_value =
+        std::isfinite(statistic_) ? chi_squared_survival(statistic_, result.degrees) : 0;
   }
 
  private:
-  void add_term(double difference, double variance) { statistic_ += difference * difference / variance; }
+  void add_term(double difference, double variance) {
+    statistic_ += difference * difference / variance;
+  }
 
   double statistic_ = 0;
   double pool_observed_ = 0;
@@ -152,7 +158,8 @@ std::string find_fault(const Chi2Result& r, const Chi2Options& options, double s
   const bool has_density = r.deltas.empty() || r.pdf_integral > 0;
   if (has_density && r.populated_bins < options.least_bins)
     return fmt::format("only {} bins have samples", r.populated_bins);
-  if (!(r.p_value >= significance)) return fmt::format("p = {:.3g} is below {:.3g}", r.p_value, significance);
+  if (!(r.p_value >= significance))
+    return fmt::format("p = {:.3g} is below {:.3g}", r.p_value, significance);
   return "";
 }
 
@@ -160,7 +167,8 @@ std::string find_fault(const Chi2Result& r, const Chi2Options& options, double s
 
 Chi2Result test_sampling(BsdfEvaluator& evaluator, const vec3& wo, const Chi2Options& options,
                          double significance) {
-  const std::vector<BsdfDraw> pilots = accepted(evaluator.sample(wo, options.pilots, options.seed + 1));
+  const std::vector<BsdfDraw> pilots =
+      accepted(evaluator.sample(wo, options.pilots, options.seed + 1));
   const DirectionBins bins(wo, pilots, options.bins);
   const PdfIntegral integral = integrate_pdf(evaluator, wo, bins);
   const Tally tally = count_samples(evaluator.sample(wo, options.samples, options.seed), bins,

@@ -19,13 +19,15 @@ double find_split(const Rectangle& area, std::span<Pilot> pilots, double below, 
   const auto a = static_cast<std::size_t>(axis);
   const double middle = 0.5 * (area.lower[a] + area.upper[a]);
   if (pilots.size() < 2) return middle;
-  const auto less = [&](const Pilot& x, const Pilot& y) { return coordinate(x, axis) < coordinate(y, axis); };
+  const auto less = [&](const Pilot& x, const Pilot& y) {
+    return coordinate(x, axis) < coordinate(y, axis);
+  };
   const auto at = std::clamp<std::size_t>(
       static_cast<std::size_t>(below * static_cast<double>(pilots.size())), 1, pilots.size() - 1);
   const auto nth = pilots.begin() + static_cast<std::ptrdiff_t>(at);
   std::nth_element(pilots.begin(), nth, pilots.end(), less);
-  const double split =
-      0.5 * (coordinate(*nth, axis) + coordinate(*std::max_element(pilots.begin(), nth, less), axis));
+  const double split = 0.5 * (coordinate(*nth, axis) +
+                              coordinate(*std::max_element(pilots.begin(), nth, less), axis));
   return split > area.lower[a] && split < area.upper[a] ? split : middle;
 }
 
@@ -45,8 +47,8 @@ Halves cut(const Rectangle& area, std::span<Pilot> pilots, int axis, double spli
   return halves;
 }
 
-/// The bounding box of the samples where the density is within an eighth of the largest; the whole area where
-/// there are hardly any.
+/// The bounding box of the samples where the density is within an eighth of the largest; the whole
+/// area where there are hardly any.
 Rectangle peak_box(const Rectangle& area, std::span<const Pilot> pilots) {
   if (pilots.size() < 2) return area;
   double largest = 0;
@@ -64,7 +66,8 @@ Rectangle peak_box(const Rectangle& area, std::span<const Pilot> pilots) {
 }
 
 bool contains(const Rectangle& area, const Coordinates& c) {
-  return c.v >= area.lower[0] && c.v < area.upper[0] && c.phi >= area.lower[1] && c.phi < area.upper[1];
+  return c.v >= area.lower[0] && c.v < area.upper[0] && c.phi >= area.lower[1] &&
+         c.phi < area.upper[1];
 }
 
 /// The box with its own size added on every side, within the area.
@@ -88,21 +91,23 @@ DirectionBins::DirectionBins(const vec3& wo, std::span<const BsdfDraw> pilots, s
   }
   std::vector<Pilot> points;
   points.reserve(pilots.size());
-  for (const BsdfDraw& d : pilots) points.push_back({coordinates(d.wi), static_cast<double>(d.pdf)});
+  for (const BsdfDraw& d : pilots)
+    points.push_back({coordinates(d.wi), static_cast<double>(d.pdf)});
   const auto above =
       std::partition(points.begin(), points.end(), [](const Pilot& p) { return p.at.side == 0; });
   const std::span<Pilot> all(points);
   const auto upper = static_cast<std::size_t>(above - points.begin());
-  const double share = points.empty() ? 1 : static_cast<double>(upper) / static_cast<double>(points.size());
-  const auto upper_bins = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::lround(share * bins)), 1,
-                                                    std::max(2U, bins) - 1);
+  const double share =
+      points.empty() ? 1 : static_cast<double>(upper) / static_cast<double>(points.size());
+  const auto upper_bins = std::clamp<std::uint32_t>(
+      static_cast<std::uint32_t>(std::lround(share * bins)), 1, std::max(2U, bins) - 1);
   roots_[0] = add_node({0, {0, -pi}, {1, pi}}, all.first(upper), upper_bins, 1);
   // What the upper side does not need; one where nothing goes down.
   roots_[1] = add_node({1, {0, -pi}, {1, pi}}, all.subspan(upper), bins - upper_bins, 1);
 }
 
-std::uint32_t DirectionBins::add_node(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t bins,
-                                      int axis) {
+std::uint32_t DirectionBins::add_node(const Rectangle& area, std::span<Pilot> pilots,
+                                      std::uint32_t bins, int axis) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   if (bins <= 1) {
@@ -119,15 +124,17 @@ std::uint32_t DirectionBins::add_node(const Rectangle& area, std::span<Pilot> pi
   return index;
 }
 
-void DirectionBins::add_cells(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t count, int axis) {
+void DirectionBins::add_cells(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t count,
+                              int axis) {
   if (count > 1) {
     const Halves halves = cut(area, pilots, axis, find_split(area, pilots, 0.5, axis));
-    for (std::size_t i = 0; i < 2; ++i) add_cells(halves.area[i], halves.pilots[i], count / 2, 1 - axis);
+    for (std::size_t i = 0; i < 2; ++i)
+      add_cells(halves.area[i], halves.pilots[i], count / 2, 1 - axis);
     return;
   }
-  // A cell may be far larger than the part of a lobe in it. Around the densest samples it is cut into frames,
-  // each three times as wide as the one within, so that no quadrature starts with points that all lie far
-  // from where the mass is.
+  // A cell may be far larger than the part of a lobe in it. Around the densest samples it is cut
+  // into frames, each three times as wide as the one within, so that no quadrature starts with
+  // points that all lie far from where the mass is.
   Rectangle box = widened(area, peak_box(area, pilots));
   add_cell(box, pilots);
   while (box.lower != area.lower || box.upper != area.upper) {
@@ -138,8 +145,8 @@ void DirectionBins::add_cells(const Rectangle& area, std::span<Pilot> pilots, st
 }
 
 void DirectionBins::add_cell(const Rectangle& area, std::span<const Pilot> pilots) {
-  // Where light is refracted from a grazing direction, the density ends just before the horizon: no step may
-  // lie between it and the first point.
+  // Where light is refracted from a grazing direction, the density ends just before the horizon: no
+  // step may lie between it and the first point.
   if (area.upper[0] == 1 && area.lower[0] < 1 - 1e-5) {
     Rectangle above = area;
     Rectangle horizon = area;
@@ -154,7 +161,8 @@ void DirectionBins::add_cell(const Rectangle& area, std::span<const Pilot> pilot
   cells_.push_back(std::move(cell));
 }
 
-void DirectionBins::add_frame(const Rectangle& outer, const Rectangle& inner, std::span<const Pilot> pilots) {
+void DirectionBins::add_frame(const Rectangle& outer, const Rectangle& inner,
+                              std::span<const Pilot> pilots) {
   Rectangle rest = outer;
   for (std::size_t k = 0; k < 2; ++k) {
     Rectangle piece = rest;
@@ -190,7 +198,8 @@ vec3 DirectionBins::direction(const Coordinates& c) const {
 std::uint32_t DirectionBins::bin_of(const vec3& w) const {
   const Coordinates c = coordinates(w);
   const Node* node = &nodes_[roots_[static_cast<std::size_t>(c.side)]];
-  while (node->axis >= 0) node = &nodes_[coordinate(c, node->axis) < node->split ? node->below : node->above];
+  while (node->axis >= 0)
+    node = &nodes_[coordinate(c, node->axis) < node->split ? node->below : node->above];
   return node->below;
 }
 

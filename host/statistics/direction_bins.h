@@ -8,7 +8,8 @@
 
 namespace facet::statistics {
 
-/// A direction as height and azimuth, between which equal areas are equal solid angles: dw = dv dphi.
+/// A direction as height and azimuth, between which equal areas are equal solid angles: dw = dv
+/// dphi.
 struct Coordinates {
   int side = 0;    ///< 0: z >= 0, 1: below
   double v = 0;    ///< 1 - |z|, in [0, 1], exact near 0 and near 1
@@ -35,8 +36,8 @@ struct Cell {
   std::vector<Pilot> pilots;
 };
 
-/// A tree of rectangles over both hemispheres, split where pilot samples have their medians; z = 0 is a
-/// border.
+/// A tree of rectangles over both hemispheres, split where pilot samples have their medians; z = 0
+/// is a border.
 class DirectionBins {
  public:
   /// wo: from which coordinates count; pilots: accepted samples.
@@ -58,7 +59,8 @@ class DirectionBins {
     std::uint32_t above = 0;
   };
 
-  std::uint32_t add_node(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t bins, int axis);
+  std::uint32_t add_node(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t bins,
+                         int axis);
   void add_cell(const Rectangle& area, std::span<const Pilot> pilots);
   void add_frame(const Rectangle& outer, const Rectangle& inner, std::span<const Pilot> pilots);
   void add_cells(const Rectangle& area, std::span<Pilot> pilots, std::uint32_t count, int axis);

@@ -33,10 +33,13 @@ double student_p_value(double t, double degrees) {
 
 double normal_p_value(double z) { return 2 * math::cdf(math::complement(Normal(), std::abs(z))); }
 
-double two_sided_normal_quantile(double p) { return math::quantile(math::complement(Normal(), p / 2)); }
+double two_sided_normal_quantile(double p) {
+  return math::quantile(math::complement(Normal(), p / 2));
+}
 
 double sidak_significance(double significance, std::uint64_t tests) {
-  return -std::expm1(std::log1p(-significance) / static_cast<double>(std::max<std::uint64_t>(tests, 1)));
+  return -std::expm1(std::log1p(-significance) /
+                     static_cast<double>(std::max<std::uint64_t>(tests, 1)));
 }
 
 }  // namespace facet::statistics

@@ -4,8 +4,8 @@
 
 namespace facet::statistics {
 
-/// Probability that chi-squared of so many degrees of freedom is at least `statistic`; 1 without degrees of
-/// freedom.
+/// Probability that chi-squared of so many degrees of freedom is at least `statistic`; 1 without
+/// degrees of freedom.
 [[nodiscard]] double chi_squared_survival(double statistic, double degrees);
 
 /// Two-sided p-value of Student's t of so many degrees of freedom (Abramowitz and Stegun 26.7.1).
@@ -17,9 +17,9 @@ namespace facet::statistics {
 /// z with P(|N(0, 1)| > z) = p.
 [[nodiscard]] double two_sided_normal_quantile(double p);
 
-/// Significance of each of `tests` independent tests that together err with probability `significance`: 1 -
-/// (1 - s)^(1/n) (Z. Šidák, "Rectangular Confidence Regions for the Means of Multivariate Normal
-/// Distributions", JASA 62, 1967).
+/// Significance of each of `tests` independent tests that together err with probability
+/// `significance`: 1 - (1 - s)^(1/n) (Z. Šidák, "Rectangular Confidence Regions for the Means of
+/// Multivariate Normal Distributions", JASA 62, 1967).
 [[nodiscard]] double sidak_significance(double significance, std::uint64_t tests);
 
 }  // namespace facet::statistics

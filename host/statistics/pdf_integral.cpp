@@ -22,9 +22,9 @@ struct Estimated {
 
 double area_of(const Rectangle& a) { return (a.upper[0] - a.lower[0]) * (a.upper[1] - a.lower[1]); }
 
-/// Whether some density stands out: that of a sample, whose peak lies between the points, or that of a
-/// corner, where a density that ends with a step (GGX at grazing normals) reaches into the cell but to no
-/// Gauss point.
+/// Whether some density stands out: that of a sample, whose peak lies between the points, or that
+/// of a corner, where a density that ends with a step (GGX at grazing normals) reaches into the
+/// cell but to no Gauss point.
 bool has_missed_peak(const Estimated& e) {
   const auto stands_out = [&](double pdf) { return pdf > 4 * e.peak; };
   if (stands_out(e.corner) && e.corner * area_of(e.cell.area) > tolerance) return true;
@@ -33,7 +33,8 @@ bool has_missed_peak(const Estimated& e) {
 
 std::array<Cell, 4> quarters(const Cell& cell) {
   const Rectangle& a = cell.area;
-  const std::array<double, 2> middle{0.5 * (a.lower[0] + a.upper[0]), 0.5 * (a.lower[1] + a.upper[1])};
+  const std::array<double, 2> middle{0.5 * (a.lower[0] + a.upper[0]),
+                                     0.5 * (a.lower[1] + a.upper[1])};
   std::array<Cell, 4> result;
   for (std::size_t q = 0; q < 4; ++q) {
     result[q].area = a;
@@ -95,7 +96,8 @@ class Quadrature {
     add_grid(a, corners, pairs);
   }
 
-  void add_grid(const Rectangle& a, std::span<const double> shares, std::vector<DirectionPair>& pairs) const {
+  void add_grid(const Rectangle& a, std::span<const double> shares,
+                std::vector<DirectionPair>& pairs) const {
     for (const double x : shares) {
       for (const double y : shares) {
         const Coordinates c{a.side, a.lower[0] + x * (a.upper[0] - a.lower[0]),

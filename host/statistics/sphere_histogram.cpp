@@ -12,7 +12,8 @@ constexpr double two_pi = 6.283185307179586;
 /// Cells are quartered at least so often, and at most.
 constexpr int least_depth = 2;
 constexpr int most_depth = 44;
-/// A cell is done when quartering it changes its integral by less: samples, and share of the integral.
+/// A cell is done when quartering it changes its integral by less: samples, and share of the
+/// integral.
 constexpr double tolerated_samples = 0.05;
 constexpr double tolerated_share = 1e-5;
 /// Cells with more of the points than this share (and more than a few) are quartered.
@@ -69,7 +70,8 @@ void integrate(Cells& cells, const Density& density) {
     for (std::size_t i = begin; i < end; ++i) append_directions(cells[i], directions);
     const std::vector<double> densities = density(directions);
     for (std::size_t i = begin; i < end; ++i)
-      cells[i].integral = weighted_sum(cells[i], std::span<const double, 9>(&densities[9 * (i - begin)], 9));
+      cells[i].integral =
+          weighted_sum(cells[i], std::span<const double, 9>(&densities[9 * (i - begin)], 9));
   }
 }
 
@@ -80,8 +82,8 @@ void quarter(const Cell& cell, std::vector<SpherePoint>& points, Cells& quarters
   const double z = between(cell.cosine, 0.5);
   const double phi = between(cell.phi, 0.5);
   const auto is_left = [phi](const SpherePoint& p) { return p.phi < phi; };
-  const std::size_t half =
-      index(std::partition(at(cell.first), at(cell.end), [z](const SpherePoint& p) { return p.cosine < z; }));
+  const std::size_t half = index(std::partition(
+      at(cell.first), at(cell.end), [z](const SpherePoint& p) { return p.cosine < z; }));
   const std::size_t low = index(std::partition(at(cell.first), at(half), is_left));
   const std::size_t high = index(std::partition(at(half), at(cell.end), is_left));
   quarters.push_back({cell.bin, {cell.cosine[0], z}, {cell.phi[0], phi}, cell.first, low});
@@ -90,17 +92,21 @@ void quarter(const Cell& cell, std::vector<SpherePoint>& points, Cells& quarters
   quarters.push_back({cell.bin, {z, cell.cosine[1]}, {phi, cell.phi[1]}, high, cell.end});
 }
 
-/// The bins as cells; sorts the points by them. A bin that straddles the horizon, where densities end,
-/// becomes two cells.
+/// The bins as cells; sorts the points by them. A bin that straddles the horizon, where densities
+/// end, becomes two cells.
 Cells root_cells(const SphereHistogram& h, std::vector<SpherePoint>& points) {
-  const auto key = [&h](const SpherePoint& p) { return std::pair(h.bin(p.cosine, p.phi), p.cosine >= 0); };
-  std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto key = [&h](const SpherePoint& p) {
+    return std::pair(h.bin(p.cosine, p.phi), p.cosine >= 0);
+  };
+  std::sort(points.begin(), points.end(),
+            [&](const auto& a, const auto& b) { return key(a) < key(b); });
   Cells cells;
   std::size_t next = 0;
   const auto add = [&](std::size_t bin, double bottom, double top, const std::array<double, 2>& phi,
                        bool below) {
     const std::size_t first = next;
-    while (next < points.size() && key(points[next]).first == bin && (!below || points[next].cosine < 0))
+    while (next < points.size() && key(points[next]).first == bin &&
+           (!below || points[next].cosine < 0))
       ++next;
     cells.push_back({bin, {bottom, top}, phi, first, next});
   };
@@ -119,7 +125,8 @@ Cells root_cells(const SphereHistogram& h, std::vector<SpherePoint>& points) {
 
 }  // namespace
 
-SphereHistogram::SphereHistogram(int row_count, int column_count) : rows(row_count), columns(column_count) {
+SphereHistogram::SphereHistogram(int row_count, int column_count)
+    : rows(row_count), columns(column_count) {
   const auto bins = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   observed.resize(bins);
   expected.resize(bins);
@@ -128,7 +135,8 @@ SphereHistogram::SphereHistogram(int row_count, int column_count) : rows(row_cou
 std::size_t SphereHistogram::bin(double cosine, double phi) const {
   const auto row = static_cast<int>(std::floor((cosine + 1) / 2 * rows));
   const auto column = static_cast<int>(std::floor(phi / two_pi * columns));
-  return static_cast<std::size_t>(std::clamp(row, 0, rows - 1)) * static_cast<std::size_t>(columns) +
+  return static_cast<std::size_t>(std::clamp(row, 0, rows - 1)) *
+             static_cast<std::size_t>(columns) +
          static_cast<std::size_t>(std::clamp(column, 0, columns - 1));
 }
 
@@ -145,9 +153,11 @@ SpherePoint sphere_point(const vec3& direction) {
   return {cosine, std::min(phi, std::nextafter(two_pi, 0.0))};
 }
 
-bool integrate_expected(SphereHistogram& histogram, const Density& density, std::vector<SpherePoint> points) {
+bool integrate_expected(SphereHistogram& histogram, const Density& density,
+                        std::vector<SpherePoint> points) {
   const double n = histogram.samples;
-  const double many_points = std::max(guiding_points, guiding_share * static_cast<double>(points.size()));
+  const double many_points =
+      std::max(guiding_points, guiding_share * static_cast<double>(points.size()));
   std::fill(histogram.expected.begin(), histogram.expected.end(), 0.0);
   Cells cells = root_cells(histogram, points);
   integrate(cells, density);

@@ -8,8 +8,8 @@
 
 namespace facet::statistics {
 
-/// Bins of equal solid angle: `rows` along cos theta from -1 to 1, `columns` along phi from 0 to 2 pi; row by
-/// row.
+/// Bins of equal solid angle: `rows` along cos theta from -1 to 1, `columns` along phi from 0 to 2
+/// pi; row by row.
 struct SphereHistogram {
   int rows = 0;
   int columns = 0;
@@ -34,10 +34,10 @@ struct SpherePoint {
 /// Densities (sr^-1) of many unit directions.
 using Density = std::function<std::vector<double>(std::span<const vec3> directions)>;
 
-/// Sets `expected` to samples times the density's integral over each bin: Gauss-Legendre quadrature of 3x3
-/// points over cells that are quartered until quartering no longer matters. A narrow peak is found by what
-/// fell there: cells are quartered, too, while they hold more than a small share of `points`. Returns false
-/// where the density is too rough to be integrated.
+/// Sets `expected` to samples times the density's integral over each bin: Gauss-Legendre quadrature
+/// of 3x3 points over cells that are quartered until quartering no longer matters. A narrow peak is
+/// found by what fell there: cells are quartered, too, while they hold more than a small share of
+/// `points`. Returns false where the density is too rough to be integrated.
 [[nodiscard]] bool integrate_expected(SphereHistogram& histogram, const Density& density,
                                       std::vector<SpherePoint> points);
 

@@ -23,8 +23,9 @@ class Rendering {
   /// Renders all samples that were asked for, or as many as `progress` lets it. To be called once.
   virtual void run(const ProgressCallback& progress) = 0;
 
-  /// One sample of every pixel of the crop, row by row: what the integrator estimates with the numbers of
-  /// that sample, before the reconstruction filter's weight. Not for renderings that are run.
+  /// One sample of every pixel of the crop, row by row: what the integrator estimates with the
+  /// numbers of that sample, before the reconstruction filter's weight. Not for renderings that are
+  /// run.
   [[nodiscard]] virtual std::vector<Radiance> sample(std::uint32_t index) = 0;
 
   /// The film so far.
@@ -46,8 +47,9 @@ class Backend {
   /// What Vulkan's validation layers have said so far, a line each.
   [[nodiscard]] virtual std::vector<std::string> validation_messages() const { return {}; }
 
-  /// Gets everything ready: packing, uploading and compiling. Throws Error for a request that does not fit
-  /// the scene, and for a scene that does not fit the device. The backend must outlive the rendering.
+  /// Gets everything ready: packing, uploading and compiling. Throws Error for a request that does
+  /// not fit the scene, and for a scene that does not fit the device. The backend must outlive the
+  /// rendering.
   [[nodiscard]] virtual std::unique_ptr<Rendering> start(const ScenePtr& scene,
                                                          const RenderRequest& request) = 0;
 
@@ -56,7 +58,7 @@ class Backend {
 };
 
 struct BackendOptions {
-  std::string device = {};                  ///< of Vulkan: an index or part of a name; empty: the best
+  std::string device = {};  ///< of Vulkan: an index or part of a name; empty: the best
   std::optional<Precision> reference = {};  ///< the reference in this precision, and no device
   bool validate = false;                    ///< turn Vulkan's validation layers on
 };

@@ -19,8 +19,8 @@ enum class ErrorKind {
   device,  ///< no usable device, or a device that failed
 };
 
-/// What every function of facet throws. what() is the whole message: one line without control characters
-/// that names the place, what was found and what would be right.
+/// What every function of facet throws. what() is the whole message: one line without control
+/// characters that names the place, what was found and what would be right.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : Error(kind, {}, message) {}

@@ -45,8 +45,9 @@ class SampleRanges {
 /// Precision in which the reference computes.
 enum class Precision { float_, double_ };
 
-/// How an image was made: all that decides its values, and where and when. The EXR header, the JSON report,
-/// the command that renders a pixel again, and the checks of merging follow from it (host/image/record.h).
+/// How an image was made: all that decides its values, and where and when. The EXR header, the JSON
+/// report, the command that renders a pixel again, and the checks of merging follow from it
+/// (host/image/record.h).
 struct RenderRecord {
   std::string version;     ///< of facet
   std::string scene;       ///< the scene's file
@@ -60,8 +61,9 @@ struct RenderRecord {
   EmitterSelection emitter_selection = EmitterSelection::power;
   std::optional<Masking> masking;  ///< where the caller replaced the scene's
   std::string filter;              ///< reconstruction filter and its parameters
-  std::uint64_t fingerprint = 0;   ///< of all that the scene's files say and that no field above tells
-  std::string backend;             ///< "vulkan" or "reference"
+  std::uint64_t fingerprint =
+      0;                ///< of all that the scene's files say and that no field above tells
+  std::string backend;  ///< "vulkan" or "reference"
   Precision precision = Precision::float_;
   std::string device;
   std::string driver;
@@ -94,7 +96,9 @@ class Image {
   [[nodiscard]] float at(int x, int y, int channel) const { return data_[index(x, y, channel)]; }
   /// First value of a channel's plane.
   [[nodiscard]] float* plane(int channel) { return data_.data() + index(0, 0, channel); }
-  [[nodiscard]] const float* plane(int channel) const { return data_.data() + index(0, 0, channel); }
+  [[nodiscard]] const float* plane(int channel) const {
+    return data_.data() + index(0, 0, channel);
+  }
 
   /// A crop's place; by default the image's own size.
   ImageWindow window;
@@ -145,7 +149,8 @@ struct Film {
 };
 
 /// Channels R, G, B: the mean over samples; the record as metadata. With variance also variance.R,
-/// variance.G, variance.B (of the mean), samples and samples.nonzero; the film must have squares for it.
+/// variance.G, variance.B (of the mean), samples and samples.nonzero; the film must have squares
+/// for it.
 [[nodiscard]] Image develop(const Film& film, bool with_variance);
 
 }  // namespace facet

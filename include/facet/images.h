@@ -14,16 +14,20 @@ struct WriteOptions {
   bool part = false;      ///< of EXRs: the sums, too, so that merge_parts can join it with others
 };
 
-/// Writes an EXR or a PNG, as the name's extension says; whole or not at all. Throws Error where it cannot.
-void write_image(const std::filesystem::path& path, const Film& film, const WriteOptions& options = {});
-void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
+/// Writes an EXR or a PNG, as the name's extension says; whole or not at all. Throws Error where it
+/// cannot.
+void write_image(const std::filesystem::path& path, const Film& film,
+                 const WriteOptions& options = {});
+void write_image(const std::filesystem::path& path, const Image& image,
+                 const WriteOptions& options = {});
 
-/// Reads an EXR, PNG, JPEG or Radiance HDR image, as its first bytes tell; codes are decoded from sRGB.
-/// Throws Error where the file is missing, unreadable or damaged.
+/// Reads an EXR, PNG, JPEG or Radiance HDR image, as its first bytes tell; codes are decoded from
+/// sRGB. Throws Error where the file is missing, unreadable or damaged.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
-/// Joins parts of one render, in files that `write_image` with `part`, or `facet render --sample-range`, have
-/// written. Throws Error where they are not of one render, hold the same samples, or leave a gap.
+/// Joins parts of one render, in files that `write_image` with `part`, or `facet render
+/// --sample-range`, have written. Throws Error where they are not of one render, hold the same
+/// samples, or leave a gap.
 [[nodiscard]] Film merge_parts(const std::vector<std::string>& files);
 
 /// Errors of an image against a reference.

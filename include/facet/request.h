@@ -29,20 +29,21 @@ struct ImageSize {
   int height = 0;
 };
 
-/// How the two estimates of direct light are weighted (E. Veach, "Robust Monte Carlo Methods for Light
-/// Transport Simulation", 1997, 9.2).
+/// How the two estimates of direct light are weighted (E. Veach, "Robust Monte Carlo Methods for
+/// Light Transport Simulation", 1997, 9.2).
 enum class Heuristic { balance, power };
 
 /// How the emitter of a light sample is chosen.
 enum class EmitterSelection { uniform, power };
 
-/// Smith's masking function of Beckmann's distribution: its exact form, or the rational approximation of
-/// B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
+/// Smith's masking function of Beckmann's distribution: its exact form, or the rational
+/// approximation of B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
+/// EGSR 2007.
 enum class Masking : std::uint8_t { rational, exact };
 
-/// How directions are sampled: half vectors of rough lobes from the distribution of normals or from the
-/// normals that the viewer sees; or, by the reference alone, every BSDF by the uniform hemisphere (of what
-/// transmits, the sphere), which needs none of the BSDFs' sampling code.
+/// How directions are sampled: half vectors of rough lobes from the distribution of normals or from
+/// the normals that the viewer sees; or, by the reference alone, every BSDF by the uniform
+/// hemisphere (of what transmits, the sphere), which needs none of the BSDFs' sampling code.
 enum class LobeSampling { ndf, visible, uniform };
 
 /// What a render has counted so far.
@@ -51,16 +52,18 @@ struct RenderStatistics {
   std::uint64_t any_rays = 0;      ///< rays that looked for any hit: shadow rays
   std::uint64_t samples = 0;       ///< finished, over all pixels
   std::uint64_t bad_samples = 0;   ///< dropped: NaN, infinite or negative
-  std::uint64_t bound_hits = 0;    ///< traversals stopped by their safety bound; the image is wrong there
-  double bvh_seconds = 0;          ///< of building the kernels' BVH
-  double compile_seconds = 0;      ///< of the kernels, by facet and by the driver
+  std::uint64_t bound_hits =
+      0;                   ///< traversals stopped by their safety bound; the image is wrong there
+  double bvh_seconds = 0;  ///< of building the kernels' BVH
+  double compile_seconds = 0;  ///< of the kernels, by facet and by the driver
   double render_seconds = 0;
   std::uint64_t kernel_instructions = 0;  ///< of the compiled kernels, in SPIR-V
   std::uint64_t device_bytes = 0;         ///< memory on the device
   std::vector<std::string> features;      ///< what the kernels were compiled for, in words
 };
 
-/// Called after each pass with the share of the work that is done, from 0 to 1; returns whether to go on.
+/// Called after each pass with the share of the work that is done, from 0 to 1; returns whether to
+/// go on.
 using ProgressCallback = std::function<bool(double done, const RenderStatistics& statistics)>;
 
 /// Wishes of a caller. What is not set follows the scene.

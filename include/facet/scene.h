@@ -23,7 +23,8 @@ struct LoadOptions {
 };
 
 /// Reads a scene in Nori's language. Throws Error with file and line for whatever is wrong.
-[[nodiscard]] ScenePtr load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
+[[nodiscard]] ScenePtr load_scene(const std::filesystem::path& path,
+                                  const LoadOptions& options = {});
 
 /// What a scene holds.
 struct SceneSummary {
@@ -59,18 +60,19 @@ struct Rgb {
 
 struct Plugin;
 
-/// The value of a plugin's parameter: of the type that the plugin's manual states (`facet info --plugins
-/// NAME`).
-using ParameterValue = std::variant<bool, int, double, const char*, std::string, Rgb, Vector3, Matrix4,
-                                    LookAt, std::vector<Plugin>>;
+/// The value of a plugin's parameter: of the type that the plugin's manual states (`facet info
+/// --plugins NAME`).
+using ParameterValue = std::variant<bool, int, double, const char*, std::string, Rgb, Vector3,
+                                    Matrix4, LookAt, std::vector<Plugin>>;
 
 struct Parameter {
   std::string name;
   ParameterValue value;
 };
 
-/// An object of the scene language: its type, and its parameters by name. A nested object is a vector of one
-/// plugin: a texture under the name of the parameter that it stands for, or a camera's "rfilter".
+/// An object of the scene language: its type, and its parameters by name. A nested object is a
+/// vector of one plugin: a texture under the name of the parameter that it stands for, or a
+/// camera's "rfilter".
 ///
 ///     facet::Plugin{"roughconductor", {{"alpha", 0.1}, {"material", "Cu"}}}
 struct Plugin {
@@ -104,7 +106,8 @@ class SceneMaker {
   /// A mesh that emits: of type "area".
   SceneMaker& mesh(const TriangleMesh& mesh, const Plugin& bsdf, const Plugin& emitter);
 
-  /// The scene so far. Throws Error for whatever the scene language does not allow, naming the plugin.
+  /// The scene so far. Throws Error for whatever the scene language does not allow, naming the
+  /// plugin.
   [[nodiscard]] ScenePtr scene(const LoadOptions& options = {}) const;
 
  private:

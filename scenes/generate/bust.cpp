@@ -25,8 +25,8 @@ Grid sculpture_grid() {
   constexpr double fine = 0.0182;
   const auto between = [](double t) { return coarse + (fine - coarse) * t; };
   Grid grid;
-  grid.x =
-      make_stations(-1.5, 1.5, [&](double x) { return between(1.0 - smooth_step(0.55, 1.0, std::abs(x))); });
+  grid.x = make_stations(
+      -1.5, 1.5, [&](double x) { return between(1.0 - smooth_step(0.55, 1.0, std::abs(x))); });
   grid.y = make_stations(socle_bottom - 0.08, 1.95, [&](double y) {
     return between(smooth_step(-1.7, -1.2, y) * (1.0 - 0.7 * smooth_step(0.8, 1.0, y)));
   });

@@ -37,9 +37,11 @@ double chiton(Vec3 p, double body) {
 
 double mantle(Vec3 p, double body) {
   // A heavy roll over the left shoulder and a sheet below it, folds running down the arm.
-  const double edge = p.x - 0.52 - 0.20 * (p.y + 1.6) + 0.04 * value_noise({2.5 * p.x, 2.5 * p.y, 2.5 * p.z});
+  const double edge =
+      p.x - 0.52 - 0.20 * (p.y + 1.6) + 0.04 * value_noise({2.5 * p.x, 2.5 * p.y, 2.5 * p.z});
   const double sway = 0.12 * value_noise({1.5 * p.x, 1.9 * p.y, 1.8 * p.z});
-  const double phase = 2.0 * pi * (p.x + 0.25 * p.z - 0.30 * (p.y + 1.6) * (p.y + 1.6) + sway) / 0.21;
+  const double phase =
+      2.0 * pi * (p.x + 0.25 * p.z - 0.30 * (p.y + 1.6) * (p.y + 1.6) + sway) / 0.21;
   const double uneven = 0.6 + 0.5 * value_noise({5.0 * p.x, 2.0 * p.y, 2.0 * p.z + 5.0});
   const double sheet = std::max(body - 0.07 - 0.07 * uneven * fold_profile(phase), -edge);
   double roll = tapered_capsule(p, {0.55, -1.38, -0.42}, {0.56, -1.52, 0.12}, 0.14, 0.15);
@@ -70,8 +72,8 @@ double kalathos_distance(Vec3 p) {
   const double along = up - std::floor(up) - 0.5;
   const double across = around + lean * along - std::round(around + lean * along);
   const double leaf = 1.0 - std::hypot(across * 2.5, along * 2.2);
-  const double relief =
-      0.035 * smooth_step(0.0, 0.5, leaf) - 0.014 * (1.0 - smooth_step(0.0, 0.06, std::abs(across)));
+  const double relief = 0.035 * smooth_step(0.0, 0.5, leaf) -
+                        0.014 * (1.0 - smooth_step(0.0, 0.06, std::abs(across)));
   const double wall = 0.96 * (std::hypot(q.x, q.z) - radius - relief);
   double d = std::max(wall, std::abs(q.y - 0.5 * (bottom + top)) - 0.5 * (top - bottom));
   d = join(d, ring(q, {0, bottom + 0.05, 0}, 0.44, 0.055), 0.02);

@@ -47,7 +47,8 @@ double add_mouth(double d, Vec3 m) {
   d = join(d, ellipsoid(m, {0, -0.45, 0.60}, {0.24, 0.16, 0.17}), 0.10);
   d = join(d, tapered_capsule(m, {0.02, -0.405, 0.765}, {0.17, -0.445, 0.69}, 0.042, 0.02), 0.02);
   d = join(d, tapered_capsule(m, {0, -0.505, 0.755}, {0.13, -0.475, 0.70}, 0.052, 0.025), 0.02);
-  return carve(d, tapered_capsule(m, {0, -0.452, 0.815}, {0.17, -0.458, 0.735}, 0.022, 0.012), 0.015);
+  return carve(d, tapered_capsule(m, {0, -0.452, 0.815}, {0.17, -0.458, 0.735}, 0.022, 0.012),
+               0.015);
 }
 
 }  // namespace

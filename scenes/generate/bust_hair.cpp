@@ -36,16 +36,23 @@ double forehead_locks(Vec3 p) {
 double side_locks(Vec3 p) {
   const Vec3 m{std::abs(p.x), p.y, p.z};
   const double sway = p.x > 0 ? 0.03 : -0.02;
-  double d = lock_distance(m, {{{0.66, 0.45, 0.18}, {0.74 + sway, 0.05, 0.16}, {0.66, -0.40, 0.10}}}, 0.15);
-  d = join(d, lock_distance(m, {{{0.68, 0.1, -0.05}, {0.72, -0.5, -0.05}, {0.60 + sway, -1.15, 0.12}}}, 0.16),
+  double d = lock_distance(
+      m, {{{0.66, 0.45, 0.18}, {0.74 + sway, 0.05, 0.16}, {0.66, -0.40, 0.10}}}, 0.15);
+  d = join(d,
+           lock_distance(m, {{{0.68, 0.1, -0.05}, {0.72, -0.5, -0.05}, {0.60 + sway, -1.15, 0.12}}},
+                         0.16),
            0.04);
-  d = join(d, lock_distance(m, {{{0.50, 0.0, -0.45}, {0.52, -0.6, -0.42}, {0.48, -1.2, -0.40}}}, 0.22), 0.06);
-  return join(d, lock_distance(m, {{{0.12, 0.0, -0.65}, {0.16, -0.6, -0.60}, {0.15, -1.2, -0.55}}}, 0.26),
-              0.06);
+  d = join(d,
+           lock_distance(m, {{{0.50, 0.0, -0.45}, {0.52, -0.6, -0.42}, {0.48, -1.2, -0.40}}}, 0.22),
+           0.06);
+  return join(
+      d, lock_distance(m, {{{0.12, 0.0, -0.65}, {0.16, -0.6, -0.60}, {0.15, -1.2, -0.55}}}, 0.26),
+      0.06);
 }
 
 double moustache(Vec3 m) {
-  return lock_distance(m, {{{0.035, -0.325, 0.80}, {0.19, -0.39, 0.735}, {0.32, -0.60, 0.62}}}, 0.062);
+  return lock_distance(m, {{{0.035, -0.325, 0.80}, {0.19, -0.39, 0.735}, {0.32, -0.60, 0.62}}},
+                       0.062);
 }
 
 double beard_strands(Vec3 p) {
@@ -91,7 +98,8 @@ double Hair::distance(Vec3 p) const {
   d = join(d, side_locks(p), 0.05);
   d = join(d, forehead_locks(p), 0.02);
   d = join(d, beard_strands(p), 0.03);
-  // `distance` of the curls may be cut off at their reach, where it is at most that of what they sit on.
+  // `distance` of the curls may be cut off at their reach, where it is at most that of what they
+  // sit on.
   return d > 0.35 ? d - 0.2 : join(d, curls_.distance(p, 0.4), 0.02);
 }
 

@@ -3,9 +3,9 @@
 #include "curls.h"
 #include "vec3.h"
 
-/// The parts of the bust as signed distances. Units are those of the sculpture: the face is about 1.7 high,
-/// the eyes are near y = 0.12, x runs to the god's left, y up, z out of the face. Each part is defined
-/// everywhere.
+/// The parts of the bust as signed distances. Units are those of the sculpture: the face is
+/// about 1.7 high, the eyes are near y = 0.12, x runs to the god's left, y up, z out of the face.
+/// Each part is defined everywhere.
 namespace facet::generate {
 
 /// Skull, brow, eyes, nose, mouth and neck.

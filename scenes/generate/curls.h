@@ -10,8 +10,8 @@ namespace facet::generate {
 /// Snail curls such as cover the heads of antique statues: flattened knobs with a spiral groove.
 class Curls {
  public:
-  /// One curl on a surface with the unit normal `outward`; `turn` (radians) and `handed` (±1) orient its
-  /// spiral.
+  /// One curl on a surface with the unit normal `outward`; `turn` (radians) and `handed` (±1)
+  /// orient its spiral.
   struct Curl {
     Vec3 centre;
     Vec3 outward;
@@ -39,7 +39,8 @@ class Curls {
   std::vector<std::vector<std::size_t>> slabs_;  ///< Which curls reach into each horizontal slab.
 };
 
-/// Curls all over an ellipsoid, evenly (a Fibonacci lattice) but with some disorder, where `keep` allows one.
+/// Curls all over an ellipsoid, evenly (a Fibonacci lattice) but with some disorder, where `keep`
+/// allows one.
 template <typename Keep>
 std::vector<Curls::Curl> scatter_curls(Vec3 centre, Vec3 axes, std::size_t count, double radius,
                                        const Keep& keep);

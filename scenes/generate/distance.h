@@ -2,12 +2,12 @@
 
 #include "vec3.h"
 
-/// Signed distances (negative inside) and how they combine; all lengths in the units of the points passed in.
-/// After the collection of Inigo Quilez, "Distance functions" (iquilezles.org).
+/// Signed distances (negative inside) and how they combine; all lengths in the units of the points
+/// passed in. After the collection of Inigo Quilez, "Distance functions" (iquilezles.org).
 namespace facet::generate {
 
-/// Distance to an axis-aligned ellipsoid of the given half axes: exact on the surface and to first order near
-/// it.
+/// Distance to an axis-aligned ellipsoid of the given half axes: exact on the surface and to first
+/// order near it.
 inline double ellipsoid(Vec3 p, Vec3 centre, Vec3 axes) {
   const Vec3 q = p - centre;
   const Vec3 once{q.x / axes.x, q.y / axes.y, q.z / axes.z};
@@ -27,12 +27,14 @@ inline double tapered_capsule(Vec3 p, Vec3 a, Vec3 b, double radius_a, double ra
   return length(p - a - axis * t) - (radius_a + (radius_b - radius_a) * t);
 }
 
-/// Distance to a vertical cylinder of the given radius between two heights, its edges rounded by `rounding`.
+/// Distance to a vertical cylinder of the given radius between two heights, its edges rounded by
+/// `rounding`.
 inline double cylinder(Vec3 p, Vec3 base, double top, double radius, double rounding) {
   const double dx = std::hypot(p.x - base.x, p.z - base.z) - radius + rounding;
   const double half = 0.5 * (top - base.y);
   const double dy = std::abs(p.y - base.y - half) - half + rounding;
-  return std::min(std::max(dx, dy), 0.0) + std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) - rounding;
+  return std::min(std::max(dx, dy), 0.0) + std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) -
+         rounding;
 }
 
 /// Distance to a horizontal ring around the vertical through `centre`.

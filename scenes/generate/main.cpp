@@ -1,7 +1,8 @@
 /// facet_generate_scenes SCENES_DIR
 ///
-/// Makes the meshes and the sky that the scenes refer to, deterministically. What is there already is not
-/// made again, and a `serapis.obj` that somebody else put into scenes/serapis is never touched.
+/// Makes the meshes and the sky that the scenes refer to, deterministically. What is there already
+/// is not made again, and a `serapis.obj` that somebody else put into scenes/serapis is never
+/// touched.
 
 #include <exception>
 #include <filesystem>

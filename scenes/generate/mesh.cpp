@@ -11,7 +11,8 @@ namespace {
 /// Six significant digits, independent of the locale.
 void append_number(std::string& text, double value) {
   char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 6).ptr;
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 6).ptr;
   text.push_back(' ');
   text.append(digits, end);
 }
@@ -63,7 +64,8 @@ Mesh make_sphere(std::uint32_t columns, std::uint32_t rows) {
     for (std::uint32_t column = 0; column <= columns; ++column) {
       const double u = static_cast<double>(column) / columns;
       const double v = static_cast<double>(row) / rows;
-      // The first and the last column are the same place; computing it once keeps the sphere watertight.
+      // The first and the last column are the same place; computing it once keeps the sphere
+      // watertight.
       const double phi = 2.0 * pi * (column == columns ? 0.0 : u);
       const double ring_radius = row == 0 || row == rows ? 0.0 : std::sin(pi * v);
       const Vec3 point{ring_radius * std::sin(phi), -std::cos(pi * v), ring_radius * std::cos(phi)};
@@ -78,7 +80,8 @@ Mesh make_sphere(std::uint32_t columns, std::uint32_t rows) {
   };
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t i = 0; i < columns; ++i) {
-      if (row > 0) mesh.triangles.push_back({corner(i, row), corner(i + 1, row), corner(i + 1, row + 1)});
+      if (row > 0)
+        mesh.triangles.push_back({corner(i, row), corner(i + 1, row), corner(i + 1, row + 1)});
       if (row + 1 < rows)
         mesh.triangles.push_back({corner(i, row), corner(i + 1, row + 1), corner(i, row + 1)});
     }

@@ -28,17 +28,17 @@ struct Mesh {
   std::vector<std::array<Corner, 3>> triangles;
 };
 
-/// A sphere of radius 1 around the origin, poles at y = ±1, of `2 columns (rows - 1)` triangles; the vertices
-/// lie on it.
+/// A sphere of radius 1 around the origin, poles at y = ±1, of `2 columns (rows - 1)` triangles;
+/// the vertices lie on it.
 Mesh make_sphere(std::uint32_t columns, std::uint32_t rows);
 
-/// Gives every corner a cylindrical texture coordinate around the y axis: u runs once around, beginning at
-/// the back (-z), v from 0 at the lowest to 1 at the highest vertex. Triangles across the seam get u beyond
-/// 1, so that they interpolate.
+/// Gives every corner a cylindrical texture coordinate around the y axis: u runs once around,
+/// beginning at the back (-z), v from 0 at the lowest to 1 at the highest vertex. Triangles across
+/// the seam get u beyond 1, so that they interpolate.
 void map_cylindrically(Mesh& mesh);
 
-/// Writes a Wavefront OBJ whose first line is the comment `# marker`. The file appears complete or not at
-/// all.
+/// Writes a Wavefront OBJ whose first line is the comment `# marker`. The file appears complete or
+/// not at all.
 void write_obj(const Mesh& mesh, const std::filesystem::path& file, const std::string& marker);
 
 }  // namespace facet::generate

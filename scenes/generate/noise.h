@@ -28,8 +28,8 @@ inline double value_noise(Vec3 p) {
   const auto mix = [](double a, double b, double s) { return a + (b - a) * s; };
   double value[2] = {};
   for (int k = 0; k < 2; ++k) {
-    value[k] =
-        mix(mix(corner(0, 0, k), corner(1, 0, k), t.x), mix(corner(0, 1, k), corner(1, 1, k), t.x), t.y);
+    value[k] = mix(mix(corner(0, 0, k), corner(1, 0, k), t.x),
+                   mix(corner(0, 1, k), corner(1, 1, k), t.x), t.y);
   }
   return 2.0 * mix(value[0], value[1], t.z) - 1.0;
 }

@@ -22,12 +22,14 @@ constexpr double sun_azimuth = 50.0 * pi / 180.0;
 /// Twice the real sun's, so that the disc is some twenty texels.
 constexpr double sun_radius = 1.0 * pi / 180.0;
 
-constexpr double sky_irradiance = 1.7;  ///< Of the horizontal ground, by the sky alone, in luminance.
+constexpr double sky_irradiance =
+    1.7;  ///< Of the horizontal ground, by the sky alone, in luminance.
 constexpr double sun_irradiance = 3.0;  ///< Of a surface that faces the sun.
 constexpr Vec3 sun_colour{1.08, 0.99, 0.84};
 constexpr Vec3 ground_albedo{0.20, 0.18, 0.15};
 
-/// One quantity of the sky model: its zenith value and the five coefficients of Perez's distribution.
+/// One quantity of the sky model: its zenith value and the five coefficients of Perez's
+/// distribution.
 struct Perez {
   double zenith;
   double a, b, c, d, e;
@@ -35,7 +37,8 @@ struct Perez {
   /// `theta` from the zenith, `gamma` from the sun, both in radians.
   double shape(double cos_theta, double gamma) const {
     const double cos_gamma = std::cos(gamma);
-    return (1 + a * std::exp(b / cos_theta)) * (1 + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma);
+    return (1 + a * std::exp(b / cos_theta)) *
+           (1 + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma);
   }
 
   double at(double cos_theta, double gamma) const {
@@ -44,12 +47,14 @@ struct Perez {
   }
 };
 
-/// The zenith's chromaticity: a cubic in the sun's zenith angle, its coefficients quadratic in the turbidity.
+/// The zenith's chromaticity: a cubic in the sun's zenith angle, its coefficients quadratic in the
+/// turbidity.
 double zenith_chromaticity(const double (&m)[3][4]) {
   const double s = 0.5 * pi - sun_elevation;
   double result = 0;
   const double powers[3] = {turbidity * turbidity, turbidity, 1.0};
-  for (int i = 0; i < 3; ++i) result += powers[i] * (((m[i][0] * s + m[i][1]) * s + m[i][2]) * s + m[i][3]);
+  for (int i = 0; i < 3; ++i)
+    result += powers[i] * (((m[i][0] * s + m[i][1]) * s + m[i][2]) * s + m[i][3]);
   return result;
 }
 
@@ -68,12 +73,12 @@ DaylightModel make_daylight() {
   constexpr double y_matrix[3][4] = {{0.00275, -0.00610, 0.00317, 0.0},
                                      {-0.04214, 0.08970, -0.04153, 0.00516},
                                      {0.15346, -0.26756, 0.06670, 0.26688}};
-  return {{1.0, 0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771,
-           -0.0670 * t + 0.3703},
-          {zenith_chromaticity(x_matrix), -0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125,
-           -0.0641 * t - 0.8989, -0.0033 * t + 0.0452},
-          {zenith_chromaticity(y_matrix), -0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102,
-           -0.0441 * t - 1.6537, -0.0109 * t + 0.0529}};
+  return {{1.0, 0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251,
+           0.1206 * t - 2.5771, -0.0670 * t + 0.3703},
+          {zenith_chromaticity(x_matrix), -0.0193 * t - 0.2592, -0.0665 * t + 0.0008,
+           -0.0004 * t + 0.2125, -0.0641 * t - 0.8989, -0.0033 * t + 0.0452},
+          {zenith_chromaticity(y_matrix), -0.0167 * t - 0.2608, -0.0950 * t + 0.0092,
+           -0.0079 * t + 0.2102, -0.0441 * t - 1.6537, -0.0109 * t + 0.0529}};
 }
 
 Vec3 sun_direction() {
@@ -136,7 +141,8 @@ Vec3 paint_sky(SkyImage& image) {
     for (int column = 0; column < width; ++column) {
       const Vec3 direction = direction_at(column + 0.5, row + 0.5);
       const Vec3 radiance = sky_radiance(model, direction);
-      const double solid_angle = (2 * pi / width) * (pi / height) * std::sqrt(1 - direction.y * direction.y);
+      const double solid_angle =
+          (2 * pi / width) * (pi / height) * std::sqrt(1 - direction.y * direction.y);
       irradiance = irradiance + radiance * (solid_angle * direction.y);
       image.at(column, row) = radiance;
     }
@@ -148,7 +154,8 @@ Vec3 paint_sky(SkyImage& image) {
 
 void paint_ground(SkyImage& image, Vec3 sky) {
   const double sun = sun_irradiance * std::sin(sun_elevation);
-  const Vec3 total{sky.x + sun * sun_colour.x, sky.y + sun * sun_colour.y, sky.z + sun * sun_colour.z};
+  const Vec3 total{sky.x + sun * sun_colour.x, sky.y + sun * sun_colour.y,
+                   sky.z + sun * sun_colour.z};
   const Vec3 reflected{total.x * ground_albedo.x / pi, total.y * ground_albedo.y / pi,
                        total.z * ground_albedo.z / pi};
   for (int row = 0; row < height / 2; ++row) {
@@ -163,7 +170,8 @@ void paint_sun(SkyImage& image) {
   const int margin = static_cast<int>(sun_radius * texels_per_radian) + 2;
   for (int row = centre - margin; row <= centre + margin; ++row) {
     for (int column = 0; column < width; ++column) {
-      image.at(column, row) = image.at(column, row) + sun_colour * (radiance * sun_coverage(column, row));
+      image.at(column, row) =
+          image.at(column, row) + sun_colour * (radiance * sun_coverage(column, row));
     }
   }
 }

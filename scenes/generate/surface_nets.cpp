@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t block_size = 6;
 constexpr std::uint32_t no_vertex = 0xffffffffu;
 
-/// Field values at the nodes and vertex numbers of the cells, both at the index of their lowest corner.
+/// Field values at the nodes and vertex numbers of the cells, both at the index of their lowest
+/// corner.
 class SurfaceNets {
  public:
   SurfaceNets(const Field& field, const Grid& grid)
@@ -21,7 +22,9 @@ class SurfaceNets {
   Mesh run() {
     sample_field();
     for_each_cell([this](std::size_t i, std::size_t j, std::size_t k) { place_vertex(i, j, k); });
-    for_each_cell([this](std::size_t i, std::size_t j, std::size_t k) { connect_edges({i, j, k}); });
+    for_each_cell([this](std::size_t i, std::size_t j, std::size_t k) {
+      connect_edges({i, j, k});
+    });
     return std::move(mesh_);
   }
 
@@ -102,8 +105,8 @@ class SurfaceNets {
     add_vertex(sum * (1.0 / crossings), length(node(i + 1, j + 1, k + 1) - node(i, j, k)));
   }
 
-  /// Two Newton steps towards the surface, none longer than a fraction of the cell: no vertex may change
-  /// sides with another.
+  /// Two Newton steps towards the surface, none longer than a fraction of the cell: no vertex may
+  /// change sides with another.
   void add_vertex(Vec3 p, double cell_diagonal) {
     const double step = 0.12 * cell_diagonal;
     for (int iteration = 0; iteration < 2; ++iteration) {
@@ -168,7 +171,8 @@ class SurfaceNets {
 
 }  // namespace
 
-std::vector<double> make_stations(double low, double high, const std::function<double(double)>& spacing) {
+std::vector<double> make_stations(double low, double high,
+                                  const std::function<double(double)>& spacing) {
   std::vector<double> stations{low};
   while (stations.back() < high) stations.push_back(stations.back() + spacing(stations.back()));
   return stations;

@@ -47,8 +47,8 @@ TEST_F(BenchCliTest, ScenesAreRenderedAndTheirStagesAddUp) {
   const std::string scene = std::string(FACET_SCENES) + "/cbox/cbox_conductors_mis.xml";
   const Result result = run(bench({scene, "--json", "report.json"}));
   ASSERT_EQ(result.code, 0) << result.err;
-  expect_words(result.out, {"cbox_conductors_mis: ", "camera", "diffuse", "shadow", "direct_mis at 1 samples",
-                            "M samples/s", "first_bounce"});
+  expect_words(result.out, {"cbox_conductors_mis: ", "camera", "diffuse", "shadow",
+                            "direct_mis at 1 samples", "M samples/s", "first_bounce"});
   const auto report = nlohmann::json::parse(folder_.read("report.json"));
   ASSERT_EQ(report["render"].size(), 1U);
   const auto& render = report["render"][0];
@@ -67,16 +67,17 @@ TEST_F(BenchCliTest, PageHoldsPlotsAndEveryFigureAndFetchesNothing) {
       run(bench({"--mesh", "1k,3k", scene, "--html", "page.html", "--json", "report.json"}));
   ASSERT_EQ(result.code, 0) << result.err;
   const std::string page = folder_.read("page.html");
-  expect_words(page, {"<!DOCTYPE html>", "Million camera rays a second", "Million diffuse rays a second",
-                      "Million shadow rays a second", "Seconds to build the BVH", "Million samples a second",
-                      "generated-1k", "generated-3k", "cbox_conductors_mis", "direct_mis", "first_bounce, %",
-                      "</html>"});
+  expect_words(
+      page, {"<!DOCTYPE html>", "Million camera rays a second", "Million diffuse rays a second",
+             "Million shadow rays a second", "Seconds to build the BVH", "Million samples a second",
+             "generated-1k", "generated-3k", "cbox_conductors_mis", "direct_mis", "first_bounce, %",
+             "</html>"});
   const auto report = nlohmann::json::parse(folder_.read("report.json"));
   for (const auto& row : report["traversal"]) {
     const auto& f = row["facet"];
     const std::string figure =
-        fmt::format("<td class=\"number\">{:.2f} ({:.2f} to {:.2f})</td>", f["median"].get<double>(),
-                    f["min"].get<double>(), f["max"].get<double>());
+        fmt::format("<td class=\"number\">{:.2f} ({:.2f} to {:.2f})</td>",
+                    f["median"].get<double>(), f["min"].get<double>(), f["max"].get<double>());
     EXPECT_NE(page.find(figure), std::string::npos) << figure;
   }
   for (const char* outside : {"http:", "https:", "<script", "src=", "{{", "nan", "inf"})
@@ -101,8 +102,8 @@ TEST_F(BenchCliTest, KernelsWithEverythingInAreLargerAndAnsweredInARowOfTheirOwn
 }
 
 TEST_F(BenchCliTest, GrowthIsMeasuredInPixelsSamplesAndEmitters) {
-  const Result result =
-      run({"bench", "--growth", "--quick", "--repeats", "1", "--json", "report.json", "--html", "page.html"});
+  const Result result = run({"bench", "--growth", "--quick", "--repeats", "1", "--json",
+                             "report.json", "--html", "page.html"});
   ASSERT_EQ(result.code, 0) << result.err;
   expect_words(result.out,
                {"a frame's time by its pixels:", "65536", "samples a pixel:", "emitters:", "256"});
@@ -122,7 +123,8 @@ TEST_F(BenchCliTest, GrowthIsMeasuredInPixelsSamplesAndEmitters) {
 }
 
 TEST_F(BenchCliTest, QuickIsLessOfEachUnlessAskedForByName) {
-  const Result result = run({"bench", "--quick", "--repeats", "1", "--mesh", "1k", "--json", "report.json"});
+  const Result result =
+      run({"bench", "--quick", "--repeats", "1", "--mesh", "1k", "--json", "report.json"});
   ASSERT_EQ(result.code, 0) << result.err;
   const auto report = nlohmann::json::parse(folder_.read("report.json"));
   ASSERT_GE(report["traversal"].size(), 1U);

@@ -51,9 +51,10 @@ class CompareCliTest : public CliTest {
 TEST_F(CompareCliTest, HelpNamesEveryOption) {
   const Result result = run({"compare", "--help"});
   EXPECT_EQ(result.code, 0);
-  expect_words(result.out, {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
-                            "--min-identical", "--max-beyond", "--z-test", "--tolerance", "--significance",
-                            "--ppd", "--trim", "--json", "--html"});
+  expect_words(result.out,
+               {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
+                "--min-identical", "--max-beyond", "--z-test", "--tolerance", "--significance",
+                "--ppd", "--trim", "--json", "--html"});
 }
 
 TEST_F(CompareCliTest, PrintsATable) {
@@ -62,9 +63,9 @@ TEST_F(CompareCliTest, PrintsATable) {
   const Result result = run({"compare", "a.exr", "b.exr"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
-  expect_words(result.out, {"a.exr against the reference b.exr, 4x3 pixels", "max abs", "at pixel (0, 0)",
-                            "RMSE", "relMSE, trimmed", "FLIP", "HDR-FLIP", "bit-identical",
-                            "91.67 % (11 of 12 pixels)", "beyond tolerance"});
+  expect_words(result.out, {"a.exr against the reference b.exr, 4x3 pixels", "max abs",
+                            "at pixel (0, 0)", "RMSE", "relMSE, trimmed", "FLIP", "HDR-FLIP",
+                            "bit-identical", "91.67 % (11 of 12 pixels)", "beyond tolerance"});
   EXPECT_EQ(result.out.find("z-test"), std::string::npos);
   EXPECT_EQ(folder_.names(), (Names{"a.exr", "b.exr", "floor.obj", "light.obj", "scene.xml"}));
 }
@@ -101,9 +102,9 @@ TEST_F(CompareCliTest, ReportsAsJson) {
 
 TEST_F(CompareCliTest, EqualImagesPassTheStrictestThresholds) {
   write("a.exr", image(2));
-  const Result result = run({"compare", "a.exr", "a.exr", "--max-abs", "0", "--max-rmse", "0", "--max-relmse",
-                             "0", "--max-flip", "0", "--max-hdrflip", "0", "--min-identical", "1",
-                             "--tolerance", "0", "--max-beyond", "0"});
+  const Result result = run({"compare", "a.exr", "a.exr", "--max-abs", "0", "--max-rmse", "0",
+                             "--max-relmse", "0", "--max-flip", "0", "--max-hdrflip", "0",
+                             "--min-identical", "1", "--tolerance", "0", "--max-beyond", "0"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
 }
@@ -116,13 +117,17 @@ TEST_F(CompareCliTest, EachThresholdCanFail) {
   expect_violation({"--max-relmse", "0.01"}, {"relMSE is 0.083325", "--max-relmse 0.01"});
   expect_violation({"--max-flip", "1e-9"}, {"FLIP is ", "--max-flip 1e-09"});
   expect_violation({"--max-hdrflip", "1e-9"}, {"HDR-FLIP is ", "--max-hdrflip 1e-09"});
-  expect_violation({"--min-identical", "0.95"}, {"bit-identical share is 0.916667", "--min-identical 0.95"});
+  expect_violation({"--min-identical", "0.95"},
+                   {"bit-identical share is 0.916667", "--min-identical 0.95"});
   expect_violation({"--max-beyond", "0.05"}, {"0.0833333", "--max-beyond 0.05"});
-  EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--max-abs", "0.5", "--max-rmse", "0.2", "--max-relmse", "0.1",
-                 "--max-flip", "1", "--max-hdrflip", "1", "--min-identical", "0.9", "--max-beyond", "0.1"})
+  EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--max-abs", "0.5", "--max-rmse", "0.2",
+                 "--max-relmse", "0.1", "--max-flip", "1", "--max-hdrflip", "1", "--min-identical",
+                 "0.9", "--max-beyond", "0.1"})
                 .code,
             0);
-  EXPECT_EQ(report({"a.exr", "b.exr", "--max-abs", "0.1", "--max-rmse", "0"}, 1)["violations"].size(), 2U);
+  EXPECT_EQ(
+      report({"a.exr", "b.exr", "--max-abs", "0.1", "--max-rmse", "0"}, 1)["violations"].size(),
+      2U);
 }
 
 TEST_F(CompareCliTest, TrimmingAndToleranceDecide) {
@@ -195,10 +200,12 @@ TEST_F(CompareCliTest, BadInput) {
   write("crop.exr", crop);
   folder_.write("text.exr", "no image");
   expect_failure({"compare", "a.exr", "b.exr"}, 2, {"a.exr is 4x3", "b.exr is 3x4"});
-  expect_failure({"compare", "a.exr", "crop.exr"}, 2, {"a.exr is 4x3", "crop.exr is 4x3 at (4, 4) of 16x16"});
+  expect_failure({"compare", "a.exr", "crop.exr"}, 2,
+                 {"a.exr is 4x3", "crop.exr is 4x3 at (4, 4) of 16x16"});
   expect_failure({"compare", "a.exr", "depth.exr"}, 2, {"depth.exr", "no channel R"});
   expect_failure({"compare", "a.exr", "none.exr"}, 2, {"none.exr", "no such file"});
-  expect_failure({"compare", "text.exr", "a.exr"}, 2, {"text.exr", "not an OpenEXR, PNG, JPEG or HDR image"});
+  expect_failure({"compare", "text.exr", "a.exr"}, 2,
+                 {"text.exr", "not an OpenEXR, PNG, JPEG or HDR image"});
   expect_failure({"compare", "a.exr", "scene.xml"}, 2,
                  {"scene.xml", "not an OpenEXR, PNG, JPEG or HDR image"});
   expect_failure({"compare", "a.exr"}, 2, {"reference", "required"});
@@ -207,15 +214,18 @@ TEST_F(CompareCliTest, BadInput) {
 
 TEST_F(CompareCliTest, BadOptions) {
   write("a.exr", image(1));
-  for (const char* option : {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
-                             "--min-identical", "--max-beyond", "--tolerance", "--significance", "--ppd"}) {
+  for (const char* option :
+       {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip", "--min-identical",
+        "--max-beyond", "--tolerance", "--significance", "--ppd"}) {
     for (const char* value : {"-1", "nan", "inf", "x", ""})
       expect_failure({"compare", "a.exr", "a.exr", std::string(option) + "=" + value}, 2, {option});
   }
   expect_failure({"compare", "a.exr", "a.exr", "--min-identical", "1.5"}, 2,
                  {"--min-identical", "share from 0 to 1"});
-  expect_failure({"compare", "a.exr", "a.exr", "--json", "a.exr"}, 2, {"a.exr", "read and written"});
-  expect_failure({"compare", "a.exr", "a.exr", "--json", "c", "--html", "./c"}, 2, {"written twice"});
+  expect_failure({"compare", "a.exr", "a.exr", "--json", "a.exr"}, 2,
+                 {"a.exr", "read and written"});
+  expect_failure({"compare", "a.exr", "a.exr", "--json", "c", "--html", "./c"}, 2,
+                 {"written twice"});
   expect_failure({"compare", "a.exr", "a.exr", "--html", "none/page.html"}, 2,
                  {"none/page.html", "no such folder"});
   expect_failure({"compare", "a.exr", "a.exr", "--html", "-"}, 2, {"--html needs a file"});
@@ -223,12 +233,13 @@ TEST_F(CompareCliTest, BadOptions) {
 }
 
 TEST_F(CompareCliTest, RendersPassAndFailTheZTest) {
-  write_scene("dark.xml",
-              floor() + mesh("light.obj",
-                             "<emitter type=\"area\"><color name=\"radiance\" value=\"0.9\"/></emitter>"));
+  write_scene(
+      "dark.xml",
+      floor() + mesh("light.obj",
+                     "<emitter type=\"area\"><color name=\"radiance\" value=\"0.9\"/></emitter>"));
   const auto render = [&](const char* scene, const char* name, const char* seed) {
-    const Result result =
-        run({"render", scene, "--quiet", "--spp", "256", "--aov", "variance", "--seed", seed, "-o", name});
+    const Result result = run({"render", scene, "--quiet", "--spp", "256", "--aov", "variance",
+                               "--seed", seed, "-o", name});
     ASSERT_EQ(result.code, 0) << result.err;
   };
   render("scene.xml", "a.exr", "1");
@@ -239,14 +250,16 @@ TEST_F(CompareCliTest, RendersPassAndFailTheZTest) {
   EXPECT_GT(json["z_test"]["tests"].get<int>(), 0);
   const Result different = run({"compare", "dark.exr", "b.exr", "--z-test"});
   EXPECT_EQ(different.code, 1);
-  expect_words(different.err,
-               {"--z-test: largest z", "different scenes: dark.xml in dark.exr, scene.xml in b.exr"});
+  expect_words(different.err, {"--z-test: largest z",
+                               "different scenes: dark.xml in dark.exr, scene.xml in b.exr"});
   EXPECT_EQ(run({"compare", "dark.exr", "b.exr"}).code, 0) << "without a threshold nothing fails";
   expect_words(run({"compare", "a.exr", "a.exr", "--z-test"}).err, {"share samples"});
 }
 
 TEST_F(CompareCliTest, AVarianceThatOverflowedCannotPass) {
-  Image noisy(4, 3, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"});
+  Image noisy(
+      4, 3,
+      {"R", "G", "B", "variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"});
   for (int i = 0; i < 12; ++i) {
     for (int c = 0; c < 6; ++c) noisy.at(i % 4, i / 4, c) = c < 3 ? 1.F : 1e-4F;
     noisy.at(i % 4, i / 4, 6) = noisy.at(i % 4, i / 4, 7) = 1000;

@@ -1,5 +1,5 @@
-// The page of `facet compare --html`, as a browser shows it: controls are driven by a script added to a copy
-// of the page.
+// The page of `facet compare --html`, as a browser shows it: controls are driven by a script added
+// to a copy of the page.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,10 +14,12 @@ namespace {
 
 /// Standard output of a command of the shell.
 std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), &::pclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"),
+                                                             &::pclose);
   std::string text;
   char buffer[4096];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe.get())) > 0;) text.append(buffer, n);
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe.get())) > 0;)
+    text.append(buffer, n);
   return text;
 }
 
@@ -74,7 +76,8 @@ class ComparePageTest : public CliTest {
     a.at(3, 2, 1) = NAN;
     write_exr(folder_.file(name_a_), a);
     write_exr(folder_.file("b.exr"), b);
-    const Result result = run({"compare", name_a_, "b.exr", "--html", "page.html", "--max-rmse", "0.1"});
+    const Result result =
+        run({"compare", name_a_, "b.exr", "--html", "page.html", "--max-rmse", "0.1"});
     EXPECT_EQ(result.code, 1) << result.err;
   }
 
@@ -84,10 +87,11 @@ class ComparePageTest : public CliTest {
     page.insert(page.find("<title>"), listener);
     page.insert(page.rfind("</body>"), "<script>" + text_of(FACET_PAGE_CHECKS) + "</script>");
     folder_.write("copy.html", page);
-    const std::string dom = output_of(
-        "timeout 100 '" + browser_ + "' --headless --no-sandbox --disable-gpu --window-size=1300,900 " +
-        options + " --user-data-dir='" + folder_.file("profile").string() + "' --dump-dom 'file://" +
-        folder_.file("copy.html").string() + "' 2>/dev/null");
+    const std::string dom =
+        output_of("timeout 100 '" + browser_ +
+                  "' --headless --no-sandbox --disable-gpu --window-size=1300,900 " + options +
+                  " --user-data-dir='" + folder_.file("profile").string() +
+                  "' --dump-dom 'file://" + folder_.file("copy.html").string() + "' 2>/dev/null");
     const std::size_t begin = dom.find("BEGIN", dom.find("id=\"report\""));
     const std::size_t end = dom.find("END", begin);
     if (end == std::string::npos) {
@@ -108,7 +112,8 @@ TEST_F(ComparePageTest, NamesAreText) {
   const nlohmann::json page = look();
   EXPECT_EQ(page["title"], name_a_ + " against b.exr");
   EXPECT_EQ(page["heading"], "A " + name_a_ + " against the reference B b.exr");
-  EXPECT_NE(page["origins"].get<std::string>().find("a b's</script><script>document.title='x'</script>.xml"),
+  EXPECT_NE(page["origins"].get<std::string>().find(
+                "a b's</script><script>document.title='x'</script>.xml"),
             std::string::npos);
   EXPECT_EQ(page["problems"], Names{});
 }
@@ -148,8 +153,8 @@ TEST_F(ComparePageTest, MapsAreOrderedByTheError) {
     EXPECT_EQ(map["missing"], (Codes{0, 184, 196}));
   }
   EXPECT_EQ(page["maps"][0]["ticks"], (Names{"0", "0.2", "0.4", "0.6", "0.8", "1"}));
-  // sqrt((39999.5^2 + 0.5^2 + 0.5^2) / 3 / 0.25) = 46188 at one pixel, 46558 by the nearest code, and 0.001 /
-  // 0.251 / sqrt(3) = 0.0023 at another.
+  // sqrt((39999.5^2 + 0.5^2 + 0.5^2) / 3 / 0.25) = 46188 at one pixel, 46558 by the nearest code,
+  // and 0.001 / 0.251 / sqrt(3) = 0.0023 at another.
   EXPECT_EQ(page["maps"][2]["ticks"], (Names{"0.1", "1", "10", "100", "1000", "10000", "100000"}));
   const auto scale = page["scale"].get<std::vector<double>>();
   for (std::size_t i = 1; i < scale.size(); ++i) EXPECT_GE(scale[i], scale[i - 1]) << i;
@@ -162,7 +167,8 @@ TEST_F(ComparePageTest, WorstPixelsCanBeSeenAndRenderedAgain) {
   EXPECT_EQ(page["buttons"], (Names{"13, 22", "10, 20", "12, 21"}));
   EXPECT_EQ(page["marked"], true);
   const auto readout = page["readout"].get<std::string>();
-  expect_words(readout, {"pixel 10, 20: FLIP ≈ ", "HDR-FLIP ≈ ", "Relative error ≈ 4.7e+4", "B 0.5 0.5 0.5"});
+  expect_words(readout, {"pixel 10, 20: FLIP ≈ ", "HDR-FLIP ≈ ", "Relative error ≈ 4.7e+4",
+                         "B 0.5 0.5 0.5"});
   expect_words(page["pointed"].get<std::string>(), {"pixel 11, 20: FLIP ≈ 0.", "B 0.25 0.25 0.25"});
   ASSERT_EQ(page["commands"].size(), 6U);
   EXPECT_EQ(page["commands"][0],
@@ -175,8 +181,8 @@ TEST_F(ComparePageTest, WorstPixelsCanBeSeenAndRenderedAgain) {
 
 TEST_F(ComparePageTest, CanBeReadByAllInLightAndDark) {
   for (const bool dark : {false, true}) {
-    const nlohmann::json page =
-        look(dark ? "--blink-settings=preferredColorScheme=0" : "--blink-settings=preferredColorScheme=1");
+    const nlohmann::json page = look(dark ? "--blink-settings=preferredColorScheme=0"
+                                          : "--blink-settings=preferredColorScheme=1");
     SCOPED_TRACE(dark ? "dark" : "light");
     EXPECT_EQ(page["nameless"], Names{});
     EXPECT_GE(page["contrast"].get<double>(), 4.5) << "WCAG 2.1, level AA";

@@ -1,5 +1,5 @@
-// Renders survive what goes wrong around them: logs that are full, descriptors that are closed, outputs that
-// fail, signals.
+// Renders survive what goes wrong around them: logs that are full, descriptors that are closed,
+// outputs that fail, signals.
 #include "cli/program.h"
 #include "core/sanitized.h"
 #include "image/files.h"
@@ -10,9 +10,11 @@ namespace {
 class FaultsCliTest : public CliTest {
  protected:
   /// Runs the program by a shell, with redirections.
-  [[nodiscard]] Result run_redirected(const std::string& redirections, const std::string& arguments) const {
+  [[nodiscard]] Result run_redirected(const std::string& redirections,
+                                      const std::string& arguments) const {
     return finish(start_command(
-        {"sh", "-c", std::string("exec \"") + FACET_PROGRAM + "\" " + arguments + " " + redirections}));
+        {"sh", "-c",
+         std::string("exec \"") + FACET_PROGRAM + "\" " + arguments + " " + redirections}));
   }
   void expect_image(const std::string& name) const {
     const Image image = read_image(folder_.file(name));
@@ -27,9 +29,9 @@ TEST_F(FaultsCliTest, AFullLogLosesNoImage) {
   EXPECT_EQ(run_redirected("2>/dev/full", "render scene.xml -o a.exr").code, 0);
   expect_image("a.exr");
   // Warnings come before the render, from the reader.
-  write_scene(
-      "warned.xml",
-      floor() + light() + "<emitter type=\"environment\"><float name=\"rotate\" value=\"3\"/></emitter>");
+  write_scene("warned.xml",
+              floor() + light() +
+                  "<emitter type=\"environment\"><float name=\"rotate\" value=\"3\"/></emitter>");
   EXPECT_EQ(run_redirected("2>/dev/full", "render warned.xml -o b.exr").code, 0);
   expect_image("b.exr");
 }
@@ -57,9 +59,10 @@ TEST_F(FaultsCliTest, AFullStandardOutputIsAnError) {
 }
 
 TEST_F(FaultsCliTest, AReaderThatHasGoneLosesNoImage) {
-  const Result result = finish(start_command(
-      {"bash", "-o", "pipefail", "-c",
-       std::string("\"") + FACET_PROGRAM + "\" render scene.xml -o a.exr --json - --quiet | true"}));
+  const Result result =
+      finish(start_command({"bash", "-o", "pipefail", "-c",
+                            std::string("\"") + FACET_PROGRAM +
+                                "\" render scene.xml -o a.exr --json - --quiet | true"}));
   EXPECT_TRUE(result.code == 0 || result.code == 2) << result.code;
   expect_image("a.exr");
 }
@@ -82,8 +85,8 @@ void wait_until_it_watches(pid_t child) {
     std::string line;
     while (std::getline(file, line) && !line.starts_with("SigCgt:")) {
     }
-    const bool watches =
-        line.starts_with("SigCgt:") && (std::stoull(line.substr(8), nullptr, 16) & 1U << (SIGHUP - 1)) != 0;
+    const bool watches = line.starts_with("SigCgt:") &&
+                         (std::stoull(line.substr(8), nullptr, 16) & 1U << (SIGHUP - 1)) != 0;
     if (watches || line.empty()) return;
   }
 }
@@ -132,18 +135,23 @@ TEST_F(FaultsCliTest, NoInputIsWritten) {
   write_scene(
       "scene.xml",
       mesh("floor.obj",
-           "<bsdf type=\"diffuse\"><texture type=\"textmap\" name=\"albedo\"><string name=\"filename\" "
+           "<bsdf type=\"diffuse\"><texture type=\"textmap\" name=\"albedo\"><string "
+           "name=\"filename\" "
            "value=\"map.png\"/></texture></bsdf>") +
-          light() + "<emitter type=\"environment\"><string name=\"filename\" value=\"sky.exr\"/></emitter>");
+          light() +
+          "<emitter type=\"environment\"><string name=\"filename\" value=\"sky.exr\"/></emitter>");
   std::filesystem::create_hard_link(folder_.file("sky.exr"), folder_.file("linked.exr"));
   const std::string sky = folder_.read("sky.exr");
   expect_failure({"render", "scene.xml", "-o", "./sky.exr"}, 2, {"sky.exr", "read and written"});
-  expect_failure({"render", "scene.xml", "-o", "linked.exr"}, 2, {"linked.exr", "read and written"});
+  expect_failure({"render", "scene.xml", "-o", "linked.exr"}, 2,
+                 {"linked.exr", "read and written"});
   expect_failure({"render", "scene.xml", "-o", "map.png"}, 2, {"map.png", "read and written"});
   expect_failure({"render", "scene.xml", "-o", "a.exr", "--json", "scene.xml"}, 2,
                  {"scene.xml", "read and written"});
-  expect_failure({"parity", "scene.xml", "--json", "light.obj"}, 2, {"light.obj", "read and written"});
-  expect_failure({"bench", "scene.xml", "--html", "scene.xml"}, 2, {"scene.xml", "read and written"});
+  expect_failure({"parity", "scene.xml", "--json", "light.obj"}, 2,
+                 {"light.obj", "read and written"});
+  expect_failure({"bench", "scene.xml", "--html", "scene.xml"}, 2,
+                 {"scene.xml", "read and written"});
   folder_.write("test.xml", "<test type=\"chi2test\"><bsdf type=\"diffuse\"/></test>");
   expect_failure({"test", "test.xml", "--junit", "test.xml"}, 2, {"test.xml", "read and written"});
   expect_failure({"test", "test.xml", "--junit", "a", "--json", "a"}, 2, {"a", "written twice"});
@@ -160,11 +168,11 @@ TEST_F(FaultsCliTest, OptionsRescueScenesOfUnknownIntegratorsAndSamplers) {
                  {"unknown.xml:3", "halton"});
   expect_failure({"render", "unknown.xml", "-o", "a.exr", "--sampler", "sobol"}, 2,
                  {"unknown.xml:4", "photonmapper"});
-  const Result result = run(
-      {"render", "unknown.xml", "-o", "a.exr", "--integrator", "path_mis", "--sampler", "sobol", "--quiet"});
+  const Result result = run({"render", "unknown.xml", "-o", "a.exr", "--integrator", "path_mis",
+                             "--sampler", "sobol", "--quiet"});
   EXPECT_EQ(result.code, 0) << result.err;
-  expect_words(result.err,
-               {"unknown.xml:3", "replaced by --sampler", "unknown.xml:4", "replaced by --integrator"});
+  expect_words(result.err, {"unknown.xml:3", "replaced by --sampler", "unknown.xml:4",
+                            "replaced by --integrator"});
   expect_image("a.exr");
 }
 

@@ -20,7 +20,8 @@ std::int64_t ulps_between(float a, float b) {
 
 class MergedTest : public MergeCliTest {
  protected:
-  /// Renders all of the samples at once and in parts, and expects no channel to differ by more than 2 ulp.
+  /// Renders all of the samples at once and in parts, and expects no channel to differ by more than
+  /// 2 ulp.
   void expect_whole(const std::vector<std::string>& ranges, const std::string& samples,
                     const Names& options) const {
     SCOPED_TRACE(::testing::PrintToString(ranges));
@@ -42,7 +43,8 @@ class MergedTest : public MergeCliTest {
       const float* a = whole.plane(whole.find_channel(channel));
       const float* b = merged.plane(merged.find_channel(channel));
       for (int i = 0; i < whole.width() * whole.height(); ++i) {
-        EXPECT_LE(ulps_between(a[i], b[i]), 2) << channel << " " << i << ": " << a[i] << " " << b[i];
+        EXPECT_LE(ulps_between(a[i], b[i]), 2)
+            << channel << " " << i << ": " << a[i] << " " << b[i];
         any = any || a[i] != 0;
       }
     }
@@ -76,7 +78,8 @@ TEST_F(MergedTest, PartsOfTheReferenceAreTheWhole) {
 TEST_F(MergedTest, FiftyParts) {
   const Names options{"--backend", "reference", "--resolution", "4x3"};
   std::vector<std::string> ranges;
-  for (int i = 0; i < 50; ++i) ranges.push_back(std::to_string(3 * i) + ":" + std::to_string(3 * i + 3));
+  for (int i = 0; i < 50; ++i)
+    ranges.push_back(std::to_string(3 * i) + ":" + std::to_string(3 * i + 3));
   expect_whole(ranges, "150", options);
 }
 
@@ -117,7 +120,8 @@ TEST_F(MergedTest, VarianceIsThatOfTheWhole) {
   render("whole.exr", {"--spp", "32", "--aov", "variance"});
   const Image whole = read("whole.exr");
   const Image merged = merge({"a.exr", "b.exr", "--aov", "variance"});
-  for (const char* channel : {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"}) {
+  for (const char* channel :
+       {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"}) {
     const float* a = whole.plane(whole.find_channel(channel));
     ASSERT_GE(merged.find_channel(channel), 0) << channel;
     const float* b = merged.plane(merged.find_channel(channel));
@@ -125,7 +129,8 @@ TEST_F(MergedTest, VarianceIsThatOfTheWhole) {
   }
   EXPECT_EQ(merge({"a.exr", "b.exr"}).find_channel("variance.R"), -1);
   part("plain.exr", "9:32");
-  expect_refusal({"a.exr", "plain.exr", "--aov", "variance"}, {"plain.exr: ", "squares", "--aov variance"});
+  expect_refusal({"a.exr", "plain.exr", "--aov", "variance"},
+                 {"plain.exr: ", "squares", "--aov variance"});
   const Result result = run({"merge", "a.exr", "plain.exr", "-o", "merged.exr", "--quiet"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err.rfind("warning: plain.exr: ", 0), 0U) << result.err;
@@ -151,7 +156,9 @@ TEST_F(MergedTest, TheHeaderTellsOfTheWhole) {
     if (key == "facet.seconds") continue;
     EXPECT_EQ(metadata(merged, key), text) << key;
   }
-  const auto seconds = [&](const char* file) { return std::stod(metadata(read(file), "facet.seconds")); };
+  const auto seconds = [&](const char* file) {
+    return std::stod(metadata(read(file), "facet.seconds"));
+  };
   EXPECT_NEAR(seconds("merged.exr"), seconds("a.exr") + seconds("b.exr"), 1e-9);
   Image elsewhere = read("b.exr");
   for (auto& [key, text] : elsewhere.metadata) {
@@ -168,8 +175,9 @@ TEST_F(MergedTest, Json) {
   const Result result =
       run({"merge", "b.exr", "a.exr", "-o", "m.exr", "-o", "m.png", "--allow-gaps", "--json", "-"});
   EXPECT_EQ(result.code, 0);
-  expect_words(result.err, {"scene.xml: 2 parts of 16x16 pixels, 7 samples each (0:4,6:9; missing: 4:6)",
-                            "wrote m.exr and m.png"});
+  expect_words(result.err,
+               {"scene.xml: 2 parts of 16x16 pixels, 7 samples each (0:4,6:9; missing: 4:6)",
+                "wrote m.exr and m.png"});
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << result.out;
   EXPECT_EQ(json["scene"], "scene.xml");
@@ -193,10 +201,14 @@ TEST_F(MergedTest, Outputs) {
   expect_failure({"merge", "a.exr", "b.exr"}, 2, {"--output", "required"});
   expect_failure({"merge", "-o", "m.exr"}, 2, {"parts", "required"});
   expect_failure({"merge", "a.exr", "b.exr", "-o", "m.jpg"}, 2, {"m.jpg", ".exr or .png"});
-  expect_failure({"merge", "a.exr", "b.exr", "-o", "none/m.exr"}, 2, {"none/m.exr", "no such folder"});
-  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.exr", "-o", "./m.exr"}, 2, {"./m.exr", "twice"});
-  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.exr", "--json", "m.exr"}, 2, {"m.exr", "twice"});
-  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.png", "--exposure", "nan"}, 2, {"--exposure"});
+  expect_failure({"merge", "a.exr", "b.exr", "-o", "none/m.exr"}, 2,
+                 {"none/m.exr", "no such folder"});
+  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.exr", "-o", "./m.exr"}, 2,
+                 {"./m.exr", "twice"});
+  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.exr", "--json", "m.exr"}, 2,
+                 {"m.exr", "twice"});
+  expect_failure({"merge", "a.exr", "b.exr", "-o", "m.png", "--exposure", "nan"}, 2,
+                 {"--exposure"});
   const std::string before = folder_.read("b.exr");
   expect_failure({"merge", "a.exr", "b.exr", "-o", "m.exr", "--json", "./b.exr"}, 2,
                  {"./b.exr", "read and written"});

@@ -36,14 +36,17 @@ TEST_F(MergeCliTest, PartsOfDifferentScenesAreRefused) {
   folder_.write("other.xml", with_filter("<float name=\"fov\" value=\"31\"/>"));
   part("b.exr", "2:4", {"other.xml"});
   expect_refusal({"a.exr", "b.exr"}, {"b.exr: ", "scene is other.xml", "a.exr is scene.xml"});
-  folder_.write("scene.xml",
-                with_filter("<rfilter type=\"mitchell\"><float name=\"B\" value=\"0.5\"/></rfilter>"));
+  folder_.write(
+      "scene.xml",
+      with_filter("<rfilter type=\"mitchell\"><float name=\"B\" value=\"0.5\"/></rfilter>"));
   part("b.exr", "2:4");
   expect_refusal({"a.exr", "b.exr"}, {"b.exr: ", "filter is mitchell, radius 2, B 0.5", "a.exr"});
   folder_.write("scene.xml", with_filter("<rfilter type=\"mitchell\"/>"));
-  folder_.write("light.obj", "v -0.5 1 -0.5\nv 0.5 1 -0.5\nv 0.5 1 0.5\nv -0.5 1 0.51\nf 1 2 3 4\n");
+  folder_.write("light.obj",
+                "v -0.5 1 -0.5\nv 0.5 1 -0.5\nv 0.5 1 0.5\nv -0.5 1 0.51\nf 1 2 3 4\n");
   part("b.exr", "2:4");
-  expect_refusal({"a.exr", "b.exr"}, {"b.exr: ", "another version of scene.xml", "a.exr", "changed"});
+  expect_refusal({"a.exr", "b.exr"},
+                 {"b.exr: ", "another version of scene.xml", "a.exr", "changed"});
 }
 
 TEST_F(MergeCliTest, OverlapsAreRefused) {
@@ -51,7 +54,8 @@ TEST_F(MergeCliTest, OverlapsAreRefused) {
   part("b.exr", "4:8");
   part("c.exr", "2:6");
   expect_refusal({"a.exr", "b.exr", "c.exr"}, {"c.exr: ", "overlaps with a.exr", "samples 2:4"});
-  expect_refusal({"b.exr", "c.exr", "--allow-gaps"}, {"c.exr: ", "overlaps with b.exr", "samples 4:6"});
+  expect_refusal({"b.exr", "c.exr", "--allow-gaps"},
+                 {"c.exr: ", "overlaps with b.exr", "samples 4:6"});
   expect_refusal({"a.exr", "b.exr", "./a.exr"}, {"./a.exr: ", "given twice"});
   std::filesystem::copy(folder_.file("a.exr"), folder_.file("copy.exr"));
   expect_refusal({"a.exr", "copy.exr"}, {"copy.exr: ", "overlaps with a.exr", "samples 0:4"});
@@ -66,8 +70,10 @@ TEST_F(MergeCliTest, GapsAreRefusedUnlessAllowed) {
   EXPECT_EQ(metadata(merged, "facet.samples"), "2:4,6:8,9:10");
   EXPECT_EQ(metadata(merged, "facet.spp"), "5");
   part("d.exr", "4:6");
-  expect_refusal({"a.exr", "b.exr", "d.exr", "--sample-range", "0:10"}, {"samples 0:2,8:10 of 0:10"});
-  expect_refusal({"a.exr", "b.exr", "d.exr", "--sample-range", "2:7"}, {"b.exr: ", "outside", "2:7", "6:8"});
+  expect_refusal({"a.exr", "b.exr", "d.exr", "--sample-range", "0:10"},
+                 {"samples 0:2,8:10 of 0:10"});
+  expect_refusal({"a.exr", "b.exr", "d.exr", "--sample-range", "2:7"},
+                 {"b.exr: ", "outside", "2:7", "6:8"});
   expect_refusal({"a.exr", "--sample-range", "2-7"}, {"--sample-range \"2-7\"", "A:B"});
   (void)merge({"a.exr", "b.exr", "d.exr", "--sample-range", "2:8"});
 }
@@ -75,7 +81,8 @@ TEST_F(MergeCliTest, GapsAreRefusedUnlessAllowed) {
 TEST_F(MergeCliTest, FilesThatAreNoParts) {
   part("a.exr", "0:4");
   render("whole.exr", {});
-  expect_refusal({"a.exr", "whole.exr"}, {"whole.exr: ", "whole image", "facet render --sample-range"});
+  expect_refusal({"a.exr", "whole.exr"},
+                 {"whole.exr: ", "whole image", "facet render --sample-range"});
   Image stripped = read("a.exr");
   stripped.metadata.clear();
   write_exr(folder_.file("stripped.exr"), stripped);
@@ -84,7 +91,8 @@ TEST_F(MergeCliTest, FilesThatAreNoParts) {
   write_exr(folder_.file("foreign.exr"), Image(4, 4, {"R", "G", "B"}));
   expect_refusal({"foreign.exr"}, {"foreign.exr: ", "no part", "facet render --sample-range"});
   const std::string bytes = folder_.read("a.exr");
-  for (const std::size_t size : {std::size_t{0}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
     folder_.write("cut.exr", bytes.substr(0, size));
     expect_refusal({"cut.exr"}, {"cut.exr: ", "not a readable EXR"});
   }
@@ -137,7 +145,8 @@ TEST_F(MergeCliTest, InterruptedAndChangedPartsAreRefused) {
 TEST_F(MergeCliTest, AnInterruptedRenderIsNoPart) {
   Result result;
   for (int delay = 400; delay < 20000; delay *= 2) {
-    const pid_t child = start({"render", "scene.xml", "--sample-range", "5:1000000000", "-o", "a.exr"});
+    const pid_t child =
+        start({"render", "scene.xml", "--sample-range", "5:1000000000", "-o", "a.exr"});
     std::this_thread::sleep_for(std::chrono::milliseconds(delay));
     ASSERT_EQ(::kill(child, SIGINT), 0);
     result = finish(child);

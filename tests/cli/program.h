@@ -25,14 +25,16 @@ class CliTest : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_.write("floor.obj", "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 4 3 2\n");
-    folder_.write("light.obj", "v -0.5 1 -0.5\nv 0.5 1 -0.5\nv 0.5 1 0.5\nv -0.5 1 0.5\nf 1 2 3 4\n");
+    folder_.write("light.obj",
+                  "v -0.5 1 -0.5\nv 0.5 1 -0.5\nv 0.5 1 0.5\nv -0.5 1 0.5\nf 1 2 3 4\n");
     write_scene("scene.xml", floor() + light());
   }
 
   static std::string floor() { return mesh("floor.obj", "<bsdf type=\"diffuse\"/>"); }
   static std::string light() { return mesh("light.obj", "<emitter type=\"area\"/>"); }
   static std::string mesh(const std::string& file, const std::string& children) {
-    return "<mesh type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/>" + children + "</mesh>\n";
+    return "<mesh type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/>" + children +
+           "</mesh>\n";
   }
 
   /// A scene with camera, sampler and integrator on lines 2 to 4; the content begins on line 5.
@@ -44,14 +46,17 @@ class CliTest : public ::testing::Test {
 )" + content + "</scene>\n");
   }
 
-  /// Starts the program in the folder, its output going to files there; `variables` join the environment.
-  pid_t start(std::vector<std::string> arguments, const std::vector<std::string>& variables = {}) const {
+  /// Starts the program in the folder, its output going to files there; `variables` join the
+  /// environment.
+  pid_t start(std::vector<std::string> arguments,
+              const std::vector<std::string>& variables = {}) const {
     arguments.insert(arguments.begin(), FACET_PROGRAM);
     return start_command(std::move(arguments), variables);
   }
 
   /// The same for any program, by name or path.
-  pid_t start_command(std::vector<std::string> words, const std::vector<std::string>& variables = {}) const {
+  pid_t start_command(std::vector<std::string> words,
+                      const std::vector<std::string>& variables = {}) const {
     const std::filesystem::path out = outputs_.file("out");
     const std::filesystem::path err = outputs_.file("err");
     posix_spawn_file_actions_t actions;
@@ -63,17 +68,18 @@ class CliTest : public ::testing::Test {
     posix_spawn_file_actions_addchdir_np(&actions, folder_.path().c_str());
     // The first of two equal names counts.
     std::vector<std::string> environment = variables;
-    for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
+    for (char** variable = environ; *variable != nullptr; ++variable)
+      environment.emplace_back(*variable);
     pid_t child = -1;
-    const int error = ::posix_spawnp(&child, words[0].c_str(), &actions, nullptr, pointers(words).data(),
-                                     pointers(environment).data());
+    const int error = ::posix_spawnp(&child, words[0].c_str(), &actions, nullptr,
+                                     pointers(words).data(), pointers(environment).data());
     posix_spawn_file_actions_destroy(&actions);
     EXPECT_EQ(error, 0) << "cannot start " << words[0];
     return child;
   }
 
-  /// Waits for the program's end: for an hour, so that no load on the machine looks like a program that
-  /// hangs.
+  /// Waits for the program's end: for an hour, so that no load on the machine looks like a program
+  /// that hangs.
   Result finish(pid_t child) const {
     Result result;
     int status = 0;
@@ -111,7 +117,8 @@ class CliTest : public ::testing::Test {
   }
 
   static void expect_words(const std::string& text, std::initializer_list<const char*> words) {
-    for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
+    for (const char* word : words)
+      EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
   }
 
   TemporaryFolder folder_;

@@ -45,9 +45,11 @@ TEST_F(ReferenceCliTest, BothPrecisionsMakeTheKernelsImage) {
 }
 
 TEST_F(ReferenceCliTest, NeedsNoDriver) {
-  const std::vector<std::string> no_driver{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"};
+  const std::vector<std::string> no_driver{"VK_DRIVER_FILES=/nonexistent",
+                                           "VK_ICD_FILENAMES=/nonexistent"};
   EXPECT_EQ(run({"render", "scene.xml"}, no_driver).code, 3);
-  const Result result = run({"render", "scene.xml", "--backend", "reference", "--json", "-"}, no_driver);
+  const Result result =
+      run({"render", "scene.xml", "--backend", "reference", "--json", "-"}, no_driver);
   ASSERT_EQ(result.code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["backend"], "reference");
@@ -58,11 +60,14 @@ TEST_F(ReferenceCliTest, NeedsNoDriver) {
 }
 
 TEST_F(ReferenceCliTest, OptionsThatDoNotGoTogetherAreErrors) {
-  expect_failure({"render", "scene.xml", "--precision", "double"}, 2, {"--precision", "--backend reference"});
-  expect_failure({"render", "scene.xml", "--sampling", "uniform"}, 2, {"--sampling uniform", "reference"});
+  expect_failure({"render", "scene.xml", "--precision", "double"}, 2,
+                 {"--precision", "--backend reference"});
+  expect_failure({"render", "scene.xml", "--sampling", "uniform"}, 2,
+                 {"--sampling uniform", "reference"});
   expect_failure({"render", "scene.xml", "--backend", "reference", "--device", "0"}, 2,
                  {"--device", "vulkan"});
-  expect_failure({"render", "scene.xml", "--backend", "reference", "--validate"}, 2, {"--validate"});
+  expect_failure({"render", "scene.xml", "--backend", "reference", "--validate"}, 2,
+                 {"--validate"});
   expect_failure({"render", "scene.xml", "--backend", "cuda"}, 2, {"--backend"});
   expect_failure({"parity", "scene.xml", "--sampling", "uniform"}, 2, {"--sampling"});
   expect_failure({"parity", "missing.xml"}, 2, {"missing.xml"});
@@ -85,8 +90,8 @@ TEST_F(ReferenceCliTest, UniformSamplingGivesAnotherEstimateOfTheSameImage) {
 TEST_F(ReferenceCliTest, ParityHoldsAndReports) {
   const Result result = run({"parity", "scene.xml"});
   EXPECT_EQ(result.code, 0) << result.out << result.err;
-  expect_words(result.out, {"1024 samples", "equal in all bits", "diverged", "0 unexplained", "same branches",
-                            "noise of 1024 samples", "parity holds"});
+  expect_words(result.out, {"1024 samples", "equal in all bits", "diverged", "0 unexplained",
+                            "same branches", "noise of 1024 samples", "parity holds"});
   const Result report =
       run({"parity", "scene.xml", "--spp", "2", "--crop", "2,3,10,9", "--quiet", "--json", "-"});
   ASSERT_EQ(report.code, 0) << report.err;
@@ -104,8 +109,8 @@ TEST_F(ReferenceCliTest, LightsWithoutPowerAreDark) {
   folder_.write("nothing.obj", "v 0 1 0\nv 1e-25 1 0\nv 0 1 1e-25\nf 1 2 3\n");
   write_scene("scene.xml", floor() + mesh("nothing.obj", "<emitter type=\"area\"/>"));
   for (const char* integrator : {"direct_ems", "path_mis"}) {
-    const Result result =
-        run({"render", "scene.xml", "--backend", "reference", "--integrator", integrator, "--json", "-"});
+    const Result result = run({"render", "scene.xml", "--backend", "reference", "--integrator",
+                               integrator, "--json", "-"});
     ASSERT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out)["error_estimate"]["relmse"], 0);
     EXPECT_EQ(run({"parity", "scene.xml", "--integrator", integrator}).code, 0);

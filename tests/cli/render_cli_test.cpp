@@ -14,7 +14,8 @@ using Names = std::vector<std::string>;
 class RenderCliTest : public CliTest {
  protected:
   /// Renders the scene to name.exr with further options; standard error must stay empty.
-  Image render(const std::string& name, Names options, const std::string& scene = "scene.xml") const {
+  Image render(const std::string& name, Names options,
+               const std::string& scene = "scene.xml") const {
     options.insert(options.begin(), {"render", scene, "--quiet", "-o", name + ".exr"});
     const Result result = run(options);
     EXPECT_EQ(result.code, 0);
@@ -43,12 +44,14 @@ TEST_F(RenderCliTest, WritesExrAndPngByDefault) {
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.out, "");
   expect_words(result.err, {"wrote scene.exr and scene.png", "16x16", "4 samples", "4 triangles"});
-  EXPECT_EQ(folder_.names(), (Names{"floor.obj", "light.obj", "scene.exr", "scene.png", "scene.xml"}));
+  EXPECT_EQ(folder_.names(),
+            (Names{"floor.obj", "light.obj", "scene.exr", "scene.png", "scene.xml"}));
   EXPECT_EQ(result.err.find('\x1b'), std::string::npos) << "no bar where there is no terminal";
 }
 
 TEST_F(RenderCliTest, OptionsMayStandBeforeTheScene) {
-  EXPECT_EQ(run({"render", "-o", "a.exr", "-o", "b.png", "--aov", "variance", "scene.xml"}).code, 0);
+  EXPECT_EQ(run({"render", "-o", "a.exr", "-o", "b.png", "--aov", "variance", "scene.xml"}).code,
+            0);
   EXPECT_EQ(folder_.names(), (Names{"a.exr", "b.png", "floor.obj", "light.obj", "scene.xml"}));
 }
 
@@ -91,7 +94,8 @@ TEST_F(RenderCliTest, ACropIsThatPartOfTheImage) {
   EXPECT_GT(largest(crop), 0);
   for (int c = 0; c < 3; ++c) {
     for (int y = 0; y < 9; ++y) {
-      for (int x = 0; x < 9; ++x) EXPECT_EQ(crop.at(x, y, c), whole.at(x + 3, y + 5, c)) << x << " " << y;
+      for (int x = 0; x < 9; ++x)
+        EXPECT_EQ(crop.at(x, y, c), whole.at(x + 3, y + 5, c)) << x << " " << y;
     }
   }
 }
@@ -139,19 +143,21 @@ TEST_F(RenderCliTest, JsonHasEveryKeyAndStandardOutputNothingElse) {
   for (const char* key :
        {"scene", "device", "driver", "backend", "integrator", "sampler", "features", "output"})
     EXPECT_FALSE(json.value(key, nlohmann::json()).empty()) << key;
-  for (const char* key : {"width", "height", "spp", "seed", "triangles", "emitters", "samples_per_second",
-                          "rays_per_second", "bad_samples", "bound_hits"})
+  for (const char* key : {"width", "height", "spp", "seed", "triangles", "emitters",
+                          "samples_per_second", "rays_per_second", "bad_samples", "bound_hits"})
     EXPECT_TRUE(json.value(key, nlohmann::json()).is_number()) << key;
-  for (const char* path : {"/seconds/load", "/seconds/bvh", "/seconds/compile", "/seconds/render",
-                           "/seconds/write", "/seconds/total", "/rays/closest", "/rays/any",
-                           "/error_estimate/relmse", "/error_estimate/relative", "/heavy_tails/pixels",
-                           "/heavy_tails/variance_share", "/memory/device_bytes", "/memory/host_peak_bytes"})
-    EXPECT_TRUE(json.value(nlohmann::json::json_pointer(path), nlohmann::json()).is_number()) << path;
+  for (const char* path :
+       {"/seconds/load", "/seconds/bvh", "/seconds/compile", "/seconds/render", "/seconds/write",
+        "/seconds/total", "/rays/closest", "/rays/any", "/error_estimate/relmse",
+        "/error_estimate/relative", "/heavy_tails/pixels", "/heavy_tails/variance_share",
+        "/memory/device_bytes", "/memory/host_peak_bytes"})
+    EXPECT_TRUE(json.value(nlohmann::json::json_pointer(path), nlohmann::json()).is_number())
+        << path;
 }
 
 TEST_F(RenderCliTest, JsonTellsTheTruth) {
-  const Result result = run(
-      {"render", "scene.xml", "-o", "a.exr", "-o", "b.png", "--json", "a.json", "--quiet", "--seed", "3"});
+  const Result result = run({"render", "scene.xml", "-o", "a.exr", "-o", "b.png", "--json",
+                             "a.json", "--quiet", "--seed", "3"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.out + result.err, "");
   const auto json = nlohmann::json::parse(folder_.read("a.json"), nullptr, false);
@@ -193,14 +199,16 @@ TEST_F(RenderCliTest, WarnsOfPixelsNarrowerThanDirectionsCanTell) {
   const auto warnings = [&](const std::string& origin, const std::string& fov) {
     folder_.write("narrow.xml", R"(<scene><integrator type="normals"/><camera type="perspective">
 <integer name="width" value="16"/><integer name="height" value="16"/><float name="fov" value=")" +
-                                    fov + R"("/><transform name="toWorld"><lookat origin=")" + origin +
-                                    R"(" target="0 0 0" up="0 1 0"/></transform></camera>)" + floor() +
-                                    "</scene>");
+                                    fov + R"("/><transform name="toWorld"><lookat origin=")" +
+                                    origin +
+                                    R"(" target="0 0 0" up="0 1 0"/></transform></camera>)" +
+                                    floor() + "</scene>");
     return run({"render", "narrow.xml", "-o", "a.exr", "--quiet"}).err;
   };
-  expect_words(warnings("3 2 1", "0.001"), {"narrow.xml: ", "fov 0.001", "0.05 pixels", "in double"});
-  const Result in_double = run({"render", "narrow.xml", "-o", "a.exr", "--quiet", "--strict", "--backend",
-                                "reference", "--precision", "double"});
+  expect_words(warnings("3 2 1", "0.001"),
+               {"narrow.xml: ", "fov 0.001", "0.05 pixels", "in double"});
+  const Result in_double = run({"render", "narrow.xml", "-o", "a.exr", "--quiet", "--strict",
+                                "--backend", "reference", "--precision", "double"});
   EXPECT_EQ(in_double.code, 0) << in_double.err;
   EXPECT_EQ(warnings("3 2 1", "0.003"), "");
   EXPECT_EQ(warnings("0 0 5", "0.001"), "");
@@ -213,7 +221,8 @@ TEST_F(RenderCliTest, WarnsOfLampsThatLieInAWall) {
   };
   folder_.write("ceiling.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
   folder_.write("turned.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 4 3 2\n");
-  folder_.write("higher.obj", "v -1 1.00001 -1\nv 1 1.00001 -1\nv 1 1.00001 1\nv -1 1.00001 1\nf 1 2 3 4\n");
+  folder_.write("higher.obj",
+                "v -1 1.00001 -1\nv 1 1.00001 -1\nv 1 1.00001 1\nv -1 1.00001 1\nf 1 2 3 4\n");
   folder_.write("foot.obj", "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 2 3 4\n");
   const std::string wall = "<bsdf type=\"diffuse\"/>";
   const auto expect_warning = [](const std::string& text, const char* other) {
@@ -233,7 +242,8 @@ TEST_F(RenderCliTest, WarnsOfLampsThatLieInAWall) {
   // The underside of a lamp that stands on the floor is nobody's light.
   EXPECT_EQ(warnings(floor() + light() + mesh("foot.obj", "<emitter type=\"area\"/>")), "");
   write_scene("lamps.xml", light() + mesh("ceiling.obj", wall));
-  expect_failure({"render", "lamps.xml", "-o", "a.exr", "--strict"}, 2, {"lie in one plane", "--strict"});
+  expect_failure({"render", "lamps.xml", "-o", "a.exr", "--strict"}, 2,
+                 {"lie in one plane", "--strict"});
 }
 
 TEST_F(RenderCliTest, JsonAndPixelTogetherStayParsable) {
@@ -267,7 +277,8 @@ TEST_F(RenderCliTest, ASceneWithoutEmitterIsBlackWithAWarning) {
 }
 
 TEST_F(RenderCliTest, ASceneWithoutMeshShowsItsEnvironment) {
-  write_scene("sky.xml", "<emitter type=\"environment\"><color name=\"radiance\" value=\"0.25\"/></emitter>");
+  write_scene("sky.xml",
+              "<emitter type=\"environment\"><color name=\"radiance\" value=\"0.25\"/></emitter>");
   const Result result = run({"render", "sky.xml", "--quiet"});
   EXPECT_EQ(result.code, 0);
   expect_words(result.err, {"no triangles"});
@@ -276,9 +287,10 @@ TEST_F(RenderCliTest, ASceneWithoutMeshShowsItsEnvironment) {
 }
 
 TEST_F(RenderCliTest, OverflowIsNeverSilent) {
-  write_scene("bright.xml",
-              floor() + mesh("light.obj",
-                             "<emitter type=\"area\"><color name=\"radiance\" value=\"1e38\"/></emitter>"));
+  write_scene(
+      "bright.xml",
+      floor() + mesh("light.obj",
+                     "<emitter type=\"area\"><color name=\"radiance\" value=\"1e38\"/></emitter>"));
   const Result result = run({"render", "bright.xml", "--quiet", "--spp", "64"});
   if (result.code != 0 || !result.err.empty()) return;
   const Image image = read_exr(folder_.file("bright.exr"));

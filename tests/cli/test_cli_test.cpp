@@ -11,7 +11,8 @@ namespace {
 
 /// A test of albedos; the content begins on line 4.
 std::string albedo_test(const std::string& references, const std::string& content) {
-  return "<test type=\"ttest\">\n<string name=\"angles\" value=\"0 60\"/><integer name=\"sampleCount\" "
+  return "<test type=\"ttest\">\n<string name=\"angles\" value=\"0 60\"/><integer "
+         "name=\"sampleCount\" "
          "value=\"1000\"/>\n<string name=\"references\" value=\"" +
          references + "\"/>\n" + content + "</test>\n";
 }
@@ -25,8 +26,8 @@ class TestCliTest : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
-    folder_.write("good.xml",
-                  albedo_test("0.5, 0.5, 1 1", "<bsdf type=\"diffuse\"/><bsdf type=\"mirror\"/>\n"));
+    folder_.write("good.xml", albedo_test("0.5, 0.5, 1 1",
+                                          "<bsdf type=\"diffuse\"/><bsdf type=\"mirror\"/>\n"));
     folder_.write("bad.xml", albedo_test("0.5 0.6", "<bsdf type=\"diffuse\"/>\n"));
     folder_.write("chi2.xml", failing_chi2_test);
   }
@@ -36,9 +37,9 @@ TEST_F(TestCliTest, OneLineACase) {
   const Result result = run({"test", "good.xml"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 5);
-  expect_words(result.out,
-               {"good.xml: bsdf \"diffuse\" (line 4) at 60 degrees: t = ", "mean 0.5, reference 0.5",
-                "p = ", "bsdf \"mirror\"", ", passed\n", "\n4 of 4 passed\n"});
+  expect_words(result.out, {"good.xml: bsdf \"diffuse\" (line 4) at 60 degrees: t = ",
+                            "mean 0.5, reference 0.5", "p = ", "bsdf \"mirror\"", ", passed\n",
+                            "\n4 of 4 passed\n"});
   expect_words(result.err, {"good.xml: 4 cases"});
   EXPECT_EQ(run({"test", "good.xml", "--quiet"}).err, "");
 }
@@ -46,8 +47,8 @@ TEST_F(TestCliTest, OneLineACase) {
 TEST_F(TestCliTest, AFailureExitsWith1) {
   const Result result = run({"test", "good.xml", "bad.xml"});
   EXPECT_EQ(result.code, 1) << result.err;
-  expect_words(result.out,
-               {"bad.xml: bsdf \"diffuse\" (line 4) at 60 degrees: t = -", "FAILED", "5 of 6 passed"});
+  expect_words(result.out, {"bad.xml: bsdf \"diffuse\" (line 4) at 60 degrees: t = -", "FAILED",
+                            "5 of 6 passed"});
 }
 
 TEST_F(TestCliTest, AFailedChiSquaredTestLeavesAPicture) {
@@ -101,8 +102,8 @@ TEST_F(TestCliTest, ScenesAndTheirMean) {
   std::string scene = folder_.read("scene.xml");
   scene.insert(scene.find("<integrator"), "<emitter type=\"environment\"/>\n");
   const auto test_of = [&](const std::string& reference) {
-    return "<test type=\"ttest\"><string name=\"references\" value=\"" + reference + "\"/>" + scene +
-           "</test>";
+    return "<test type=\"ttest\"><string name=\"references\" value=\"" + reference + "\"/>" +
+           scene + "</test>";
   };
   // A floor of albedo 1/2 under a sky of 1; the camera looks at nothing else.
   scene.replace(scene.find("0.1 0.8 -4"), 10, "0 0.1 0");
@@ -110,9 +111,10 @@ TEST_F(TestCliTest, ScenesAndTheirMean) {
   scene.replace(scene.find("up=\"0 1 0\""), 10, "up=\"0 0 1\"");
   folder_.write("sky.xml", test_of("0.5"));
   folder_.write("wrong.xml", test_of("0.502"));
-  for (const std::vector<std::string>& backend : {std::vector<std::string>{},
-                                                  {"--backend", "reference"},
-                                                  {"--backend", "reference", "--precision", "double"}}) {
+  for (const std::vector<std::string>& backend :
+       {std::vector<std::string>{},
+        {"--backend", "reference"},
+        {"--backend", "reference", "--precision", "double"}}) {
     std::vector<std::string> arguments{"test", "sky.xml"};
     arguments.insert(arguments.end(), backend.begin(), backend.end());
     EXPECT_EQ(run(arguments).code, 0);
@@ -125,7 +127,8 @@ TEST_F(TestCliTest, ScenesAndTheirMean) {
 
 TEST_F(TestCliTest, MistakesExitWith2AndALine) {
   folder_.write("broken.xml", albedo_test("1", "<bsdf type=\"difuse\"/>\n"));
-  expect_failure({"test", "good.xml", "broken.xml"}, 2, {"broken.xml:4: ", "did you mean \"diffuse\"?"});
+  expect_failure({"test", "good.xml", "broken.xml"}, 2,
+                 {"broken.xml:4: ", "did you mean \"diffuse\"?"});
   folder_.write("numbers.xml", albedo_test("1", "<bsdf type=\"diffuse\"/>\n"));
   expect_failure({"test", "numbers.xml"}, 2, {"numbers.xml:3: ", "\"references\""});
   expect_failure({"test", "missing.xml"}, 2, {"missing.xml"});
@@ -135,8 +138,9 @@ TEST_F(TestCliTest, MistakesExitWith2AndALine) {
   expect_failure({"test", "good.xml", "--precision", "double"}, 2, {"--backend reference"});
   expect_failure({"test", "good.xml", "--pictures", "nowhere"}, 2, {"--pictures nowhere"});
   expect_failure({"test", "good.xml", "--junit", "no/such/report.xml"}, 2, {"no/such"});
-  folder_.write("odd.xml",
-                albedo_test("0.5 0.5", "<float name=\"alpha\" value=\"1\"/><bsdf type=\"diffuse\"/>"));
+  folder_.write(
+      "odd.xml",
+      albedo_test("0.5 0.5", "<float name=\"alpha\" value=\"1\"/><bsdf type=\"diffuse\"/>"));
   const Result odd = run({"test", "odd.xml", "--quiet"});
   EXPECT_EQ(odd.code, 0);
   expect_words(odd.err, {"warning: ", "odd.xml:4: ", "\"alpha\""});
@@ -144,7 +148,8 @@ TEST_F(TestCliTest, MistakesExitWith2AndALine) {
 }
 
 TEST_F(TestCliTest, NeedsADeviceUnlessTheReferenceRuns) {
-  const std::vector<std::string> no_driver{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"};
+  const std::vector<std::string> no_driver{"VK_DRIVER_FILES=/nonexistent",
+                                           "VK_ICD_FILENAMES=/nonexistent"};
   EXPECT_EQ(run({"test", "good.xml"}, no_driver).code, 3);
   EXPECT_EQ(run({"test", "good.xml", "--backend", "reference"}, no_driver).code, 0);
 }
@@ -160,7 +165,8 @@ TEST_F(TestCliTest, TheSeedDecides) {
 }
 
 /// All tests that ship, on one backend.
-class ShippedTests : public CliTest, public ::testing::WithParamInterface<std::vector<std::string>> {};
+class ShippedTests : public CliTest,
+                     public ::testing::WithParamInterface<std::vector<std::string>> {};
 
 TEST_P(ShippedTests, Pass) {
   std::vector<std::string> arguments{"test"};
@@ -177,8 +183,8 @@ TEST_P(ShippedTests, Pass) {
 INSTANTIATE_TEST_SUITE_P(Backends, ShippedTests,
                          ::testing::Values(std::vector<std::string>{"--validate"},
                                            std::vector<std::string>{"--backend", "reference"},
-                                           std::vector<std::string>{"--backend", "reference", "--precision",
-                                                                    "double"}));
+                                           std::vector<std::string>{"--backend", "reference",
+                                                                    "--precision", "double"}));
 
 }  // namespace
 

@@ -21,13 +21,16 @@ class Subject {
       : scene(resized(load_scene(name), width, height)), world(scene, whole_image(scene, 1)) {}
 
   [[nodiscard]] SampleId id(int x, int y, std::uint32_t sample) const {
-    return {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, scene.seed, scene.sampler};
+    return {static_cast<std::uint32_t>(y * scene.camera.width + x), sample, scene.seed,
+            scene.sampler};
   }
 
-  [[nodiscard]] Traced watched(int x, int y, std::uint32_t sample, const ForcedOutcomes& forced = {},
+  [[nodiscard]] Traced watched(int x, int y, std::uint32_t sample,
+                               const ForcedOutcomes& forced = {},
                                std::uint32_t perturbation = 0) const {
     Watch watch(perturbation, forced);
-    const Vec3<float> radiance = Tracer<float, Watch>(world, id(x, y, sample), watch).radiance(x, y);
+    const Vec3<float> radiance =
+        Tracer<float, Watch>(world, id(x, y, sample), watch).radiance(x, y);
     return {radiance, watch.decisions()};
   }
 
@@ -72,9 +75,10 @@ TEST_F(Explain, perturbations_move_a_sample_but_little) {
   EXPECT_GT(small, box_.scene.camera.width * 8 / 10);
 }
 
-/// A perturbed run stands for a renderer that is right but rounds otherwise. Counts the decisions that it
-/// turned; expects that every sample is explained.
-void explain_rounding(const Subject& subject, std::uint32_t samples, std::map<DecisionKind, int>& found) {
+/// A perturbed run stands for a renderer that is right but rounds otherwise. Counts the decisions
+/// that it turned; expects that every sample is explained.
+void explain_rounding(const Subject& subject, std::uint32_t samples,
+                      std::map<DecisionKind, int>& found) {
   for (std::uint32_t sample = 0; sample < samples; ++sample) {
     for (int y = 0; y < subject.scene.camera.height; ++y) {
       for (int x = 0; x < subject.scene.camera.width; ++x) {
@@ -123,10 +127,12 @@ TEST_F(Explain, tells_what_failing_samples_have_in_common) {
     if (auto* substrate = std::get_if<bsdf::RoughSubstrate>(&b)) substrate->alpha.value *= 1.1F;
   }
   const std::unique_ptr<Rendering> kernels = kernel_backend().start(borrowed(wrong), settings);
-  const ParityReport report = check_parity(scene, settings, {}, *kernels, [](double) { return true; });
+  const ParityReport report =
+      check_parity(scene, settings, {}, *kernels, [](double) { return true; });
   EXPECT_GT(report.unexplained(), 100U);
   ASSERT_FALSE(report.suspects.empty());
-  EXPECT_NE(report.suspects[0].part.find("roughsubstrate"), std::string::npos) << report.suspects[0].part;
+  EXPECT_NE(report.suspects[0].part.find("roughsubstrate"), std::string::npos)
+      << report.suspects[0].part;
   EXPECT_GT(report.suspects[0].score, 0.5);
 }
 

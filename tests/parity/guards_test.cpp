@@ -32,8 +32,8 @@ TEST_P(Seeds, kernels_and_reference_agree_under_different_seeds) {
   RenderSettings settings = whole_image(scene, direct || smooth ? 256 : 64);
   const Image kernels = render(scene, settings).image;
   settings.seed = 77;
-  const ZTestResult result =
-      z_test(kernels, reference_image(scene, settings), share_of_significance(shipped_scenes().size()));
+  const ZTestResult result = z_test(kernels, reference_image(scene, settings),
+                                    share_of_significance(shipped_scenes().size()));
   EXPECT_TRUE(result.passed()) << result.describe();
 }
 
@@ -44,7 +44,8 @@ Scene ball_scene(const Bsdf& bsdf, const std::string& integrator) {
   Scene scene = make_scene(integrator);
   add_mesh(scene, make_sphere(3, false), bsdf);
   add_mesh(scene, make_quad({-3, -1, -3}, {-3, -1, 3}, {3, -1, 3}, {3, -1, -3}), bsdf);
-  add_mesh(scene, make_quad({-2, 3, -2}, {2, 3, -2}, {2, 3, 2}, {-2, 3, 2}), bsdf::Diffuse{}, Color(2, 3, 4));
+  add_mesh(scene, make_quad({-2, 3, -2}, {2, 3, -2}, {2, 3, 2}, {-2, 3, 2}), bsdf::Diffuse{},
+           Color(2, 3, 4));
   scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(0.5F)}});
   set_camera(scene, 20, 60, {0, 1, -3}, {0, -0.2, 0});
   return scene;
@@ -71,8 +72,8 @@ TEST(Guards, the_uniform_hemisphere_gives_the_same_image) {
         RenderSettings settings = whole_image(scene, 256);
         settings.sampling = sampling;
         const ZTestResult result = z_test(render(scene, settings).image, expected, share);
-        EXPECT_TRUE(result.passed()) << integrator << ", BSDF of type " << bsdf.index() << ": "
-                                     << result.describe();
+        EXPECT_TRUE(result.passed())
+            << integrator << ", BSDF of type " << bsdf.index() << ": " << result.describe();
       }
     }
   }

@@ -1,4 +1,5 @@
-// Every shipped scene and every integrator: the kernels' samples are the reference's, or differ for a reason.
+// Every shipped scene and every integrator: the kernels' samples are the reference's, or differ for
+// a reason.
 #include "support/parity.h"
 
 #include "support/scenes.h"
@@ -32,8 +33,8 @@ TEST_P(EachIntegrator, holds_under_area_lights_and_under_a_sky) {
     Scene scene = load_scene(name);
     shrink(scene, 60);
     set_integrator(scene, GetParam());
-    // The light of `simple` by default lies in a corner of the box, where whatever it lights hides it or not
-    // by rounding.
+    // The light of `simple` by default lies in a corner of the box, where whatever it lights hides
+    // it or not by rounding.
     scene.integrator.position = vec3(dvec3(scene.camera.to_world * glm::dvec4(0.3, 0.5, 0.2, 1)));
     expect_parity(scene, whole_image(scene, 4));
   }
@@ -45,7 +46,8 @@ std::vector<std::string> integrator_names() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Parity, EachIntegrator, ::testing::ValuesIn(integrator_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Parity, EachIntegrator, ::testing::ValuesIn(integrator_names()),
+                         test_name);
 
 /// Conductor, substrate and diffuse balls under two lights of unequal power and a constant sky.
 Scene busy_scene() {
@@ -58,7 +60,8 @@ Scene busy_scene() {
     transform(ball, 0.4F, {static_cast<float>(i) - 1, -0.2F, 0.3F});
     add_mesh(scene, ball, bsdfs[i]);
   }
-  add_mesh(scene, make_quad({-2, -0.6F, -2}, {-2, -0.6F, 2}, {2, -0.6F, 2}, {2, -0.6F, -2}), bsdf::Diffuse{});
+  add_mesh(scene, make_quad({-2, -0.6F, -2}, {-2, -0.6F, 2}, {2, -0.6F, 2}, {2, -0.6F, -2}),
+           bsdf::Diffuse{});
   add_mesh(scene, make_quad({-1.5F, 1, -0.3F}, {-1, 1, -0.3F}, {-1, 1, 0.3F}, {-1.5F, 1, 0.3F}),
            bsdf::Diffuse{}, Color(8, 4, 4));
   add_mesh(scene, make_quad({1, 0.8F, -0.3F}, {1.2F, 0.8F, -0.3F}, {1.2F, 0.8F, 0}, {1, 0.8F, 0}),
@@ -86,8 +89,8 @@ TEST(Parity, holds_for_every_choice_of_the_estimator) {
 
 TEST(Parity, holds_for_every_filter) {
   Scene scene = busy_scene();
-  for (const Filter& filter :
-       {Filter(GaussianFilter{}), Filter(MitchellFilter{}), Filter(TentFilter{}), Filter(BoxFilter{})}) {
+  for (const Filter& filter : {Filter(GaussianFilter{}), Filter(MitchellFilter{}),
+                               Filter(TentFilter{}), Filter(BoxFilter{})}) {
     scene.camera.filter = filter;
     expect_parity(scene, whole_image(scene, 4));
   }
@@ -120,14 +123,15 @@ std::uint64_t count_nonzero(const Film& film) {
   return count;
 }
 
-// The end of a shadow ray lies off the emitter by more than the test against the emitter errs from afar; the
-// reference in double hardly errs.
+// The end of a shadow ray lies off the emitter by more than the test against the emitter errs from
+// afar; the reference in double hardly errs.
 TEST(Parity, lights_do_not_shadow_themselves_from_afar) {
   Scene scene = make_scene("direct_ems");
   Mesh light = make_sphere(3, false);
   transform(light, 0.5F, {0, 0, 0});
   add_mesh(scene, light, bsdf::Diffuse{}, Color(1));
-  add_mesh(scene, make_quad({-60, -40, -60}, {-60, -40, 60}, {60, -40, 60}, {60, -40, -60}), bsdf::Diffuse{});
+  add_mesh(scene, make_quad({-60, -40, -60}, {-60, -40, 60}, {60, -40, 60}, {60, -40, -60}),
+           bsdf::Diffuse{});
   set_camera(scene, 64, 60, {0, 10, -80}, {0, -40, 0});
   const RenderSettings settings = whole_image(scene, 16);
   const Film exact = render_reference(scene, settings, Precision::double_);

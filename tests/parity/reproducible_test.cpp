@@ -1,6 +1,7 @@
-// Every shipped scene gives the same image in every bit, whatever runs the kernels: any number of the
-// driver's threads, another version of the driver, any size of pass, and any part of the image or of the
-// samples at a time. Scenes are looked for when the test runs, so that a new one is covered at once.
+// Every shipped scene gives the same image in every bit, whatever runs the kernels: any number of
+// the driver's threads, another version of the driver, any size of pass, and any part of the image
+// or of the samples at a time. Scenes are looked for when the test runs, so that a new one is
+// covered at once.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -34,7 +35,8 @@ void expect_equal_bits(const Image& a, const Image& b) {
     std::size_t nonzero = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const float x = a.plane(c)[i];
-      different += std::bit_cast<std::uint32_t>(x) != std::bit_cast<std::uint32_t>(b.plane(c)[i]) ? 1 : 0;
+      different +=
+          std::bit_cast<std::uint32_t>(x) != std::bit_cast<std::uint32_t>(b.plane(c)[i]) ? 1 : 0;
       nonzero += x != 0 ? 1 : 0;
     }
     const std::string& channel = a.channels()[static_cast<std::size_t>(c)];
@@ -48,8 +50,8 @@ void expect_equal_bits(const Image& a, const Image& b) {
 /// Renders shipped scenes with the program, as users do.
 class Reproducible : public CliTest {
  protected:
-  /// One image for each list of words, which stand before the program's own. All run at the same time and
-  /// share their files of output, which stay empty.
+  /// One image for each list of words, which stand before the program's own. All run at the same
+  /// time and share their files of output, which stay empty.
   std::vector<Image> render(const std::string& scene, const char* sampling,
                             const std::vector<Words>& before) const {
     std::vector<pid_t> children;
@@ -106,7 +108,8 @@ TEST_F(Reproducible, another_version_of_the_driver) {
       SCOPED_TRACE(scene + " " + sampling);
       const std::vector<Image> images = render(scene, sampling, {{}, second});
       const std::string driver = metadata(images[0], "facet.driver");
-      if (metadata(images[1], "facet.driver") == driver) GTEST_SKIP() << "both drivers are " << driver;
+      if (metadata(images[1], "facet.driver") == driver)
+        GTEST_SKIP() << "both drivers are " << driver;
       expect_equal_bits(images[0], images[1]);
     }
   }
@@ -117,8 +120,9 @@ void expect_equal_bits(const Film& a, const Film& b) {
   EXPECT_TRUE(a.pixels == b.pixels);
 }
 
-/// Expects two renders of disjoint samples of a crop to sum to what the whole image holds there. Sums of two
-/// floats keep 2^-44 of a few samples; a sample that differs in its last bit shows at 2^-27.
+/// Expects two renders of disjoint samples of a crop to sum to what the whole image holds there.
+/// Sums of two floats keep 2^-44 of a few samples; a sample that differs in its last bit shows at
+/// 2^-27.
 void expect_sum(const Film& whole, const Film& a, const Film& b, const Crop& crop) {
   std::size_t i = 0;
   int different = 0;
@@ -137,8 +141,8 @@ void expect_sum(const Film& whole, const Film& a, const Film& b, const Crop& cro
   EXPECT_EQ(different, 0);
 }
 
-/// Renders shipped scenes through the library. With 6 samples, passes hold 1, 1, 2 and 2 of them; 1000 paths
-/// in flight cut the image into ranges, 2500 cut the passes of two samples.
+/// Renders shipped scenes through the library. With 6 samples, passes hold 1, 1, 2 and 2 of them;
+/// 1000 paths in flight cut the image into ranges, 2500 cut the passes of two samples.
 TEST(ReproduciblePasses, any_size_and_any_part_of_image_and_samples) {
   for (const std::string& name : shipped_scenes()) {
     SCOPED_TRACE(name);

@@ -1,5 +1,5 @@
-// Albedos of the rough BSDFs where they absorb nothing, by angle and roughness, on the kernels: no model
-// makes light. FACET_ALBEDO_PAGE=docs/albedo.md in the environment writes them down.
+// Albedos of the rough BSDFs where they absorb nothing, by angle and roughness, on the kernels: no
+// model makes light. FACET_ALBEDO_PAGE=docs/albedo.md in the environment writes them down.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -47,7 +47,8 @@ std::vector<Model> models(bsdf::Distribution d, float alpha) {
            with(bsdf::RoughSubstrate{white, 0.1F, 1, 1.5F}, d, alpha)},
           {"`microfacet`, kd = 0.5, indices 1 and 1.5",
            with(bsdf::Microfacet{0.1F, 1, 1.5F, Color(0.5F)}, d, alpha)},
-          {"`fresnelblend`, Rd = 1, Rs = 0.05", with(bsdf::FresnelBlend{white, Color(0.05F)}, d, alpha)},
+          {"`fresnelblend`, Rd = 1, Rs = 0.05",
+           with(bsdf::FresnelBlend{white, Color(0.05F)}, d, alpha)},
           {"`fresnelblend`, Rd = 0, Rs = 1", with(bsdf::FresnelBlend{Color(0), white}, d, alpha)}};
 }
 
@@ -60,7 +61,8 @@ Albedo measure(KernelBsdfEvaluator& kernels, const Bsdf& bsdf, float cosine) {
   double squares = 0;
   constexpr std::uint32_t samples = 1U << 17U;
   for (const statistics::BsdfDraw& d : kernels.sample(wo, samples, 77)) {
-    const double w = static_cast<double>(d.weight.x) * (scale.transmits() && d.wi.z < 0 ? crossing : 1.0);
+    const double w =
+        static_cast<double>(d.weight.x) * (scale.transmits() && d.wi.z < 0 ? crossing : 1.0);
     sum += w;
     squares += w * w;
   }
@@ -69,8 +71,8 @@ Albedo measure(KernelBsdfEvaluator& kernels, const Bsdf& bsdf, float cosine) {
 }
 
 std::string table_of(BsdfKernels& kernels, std::size_t model, bsdf::Distribution distribution) {
-  std::string text =
-      fmt::format("| {}, α \\ cos θo |", distribution == bsdf::Distribution::ggx ? "GGX" : "Beckmann");
+  std::string text = fmt::format("| {}, α \\ cos θo |",
+                                 distribution == bsdf::Distribution::ggx ? "GGX" : "Beckmann");
   std::string rule = "|---|";
   for (const float c : cosines) text += fmt::format(" {} |", c), rule += "---|";
   text += "\n" + rule + "\n";
@@ -80,9 +82,11 @@ std::string table_of(BsdfKernels& kernels, std::size_t model, bsdf::Distribution
     text += fmt::format("| {} |", alpha);
     for (const float c : cosines) {
       const Albedo a = measure(evaluator, m.bsdf, c);
-      EXPECT_LE(a.mean, m.largest + 1e-6 + 5 * a.error) << m.title << ", alpha " << alpha << ", cosine " << c;
+      EXPECT_LE(a.mean, m.largest + 1e-6 + 5 * a.error)
+          << m.title << ", alpha " << alpha << ", cosine " << c;
       EXPECT_GT(a.mean, 0) << m.title;
-      EXPECT_GE(a.mean, m.least - 5 * a.error) << m.title << ", alpha " << alpha << ", cosine " << c;
+      EXPECT_GE(a.mean, m.least - 5 * a.error)
+          << m.title << ", alpha " << alpha << ", cosine " << c;
       text += fmt::format(" {:.3f} |", a.mean);
     }
     text += "\n";
@@ -94,19 +98,22 @@ TEST(Albedo, what_absorbs_nothing_makes_no_light) {
   BsdfKernels kernels(device());
   std::string page =
       "# Albedos\n\n"
-      "Share of the light that each rough BSDF gives back where its parameters absorb nothing, by roughness "
+      "Share of the light that each rough BSDF gives back where its parameters absorb nothing, by "
+      "roughness "
       "and angle of view: mean\n"
-      "weights of 2^17 samples of visible normals, standard errors below 0.002. Below 1 is what single "
+      "weights of 2^17 samples of visible normals, standard errors below 0.002. Below 1 is what "
+      "single "
       "scattering loses between\n"
-      "microfacets. `multiscatter` is within 0.001 of 1, its tables being interpolated. `fresnelblend`, "
+      "microfacets. `multiscatter` is within 0.001 of 1, its tables being interpolated. "
+      "`fresnelblend`, "
       "which has no masking, still\n"
       "gains nothing, since it divides by the larger cosine. Written by\n\n"
       "    FACET_ALBEDO_PAGE=docs/albedo.md build/release/tests/albedo_test\n\n";
   const std::vector<Model> list = models(bsdf::Distribution::beckmann, 0.1F);
   for (std::size_t i = 0; i < list.size(); ++i) {
     page += "## " + list[i].title + "\n\n";
-    page +=
-        table_of(kernels, i, bsdf::Distribution::beckmann) + table_of(kernels, i, bsdf::Distribution::ggx);
+    page += table_of(kernels, i, bsdf::Distribution::beckmann) +
+            table_of(kernels, i, bsdf::Distribution::ggx);
   }
   expect_silent_validation();
   if (const char* file = std::getenv("FACET_ALBEDO_PAGE"))

@@ -40,7 +40,8 @@ Scene furnace_with(Mesh mesh, const Bsdf& bsdf) {
   return scene;
 }
 
-/// What absorbs nothing shows the sky's radiance, by every integrator that follows all of its light.
+/// What absorbs nothing shows the sky's radiance, by every integrator that follows all of its
+/// light.
 TEST(Furnace, bodies_that_absorb_nothing_vanish) {
   const Mesh ball = make_sphere(4, false);
   bsdf::RoughConductor metal{Color(1), 0.5F};
@@ -50,12 +51,13 @@ TEST(Furnace, bodies_that_absorb_nothing_vanish) {
   for (const std::string& integrator : all_estimators()) {
     expect_radiance(furnace_with(ball, bsdf::Diffuse{Color(1)}), integrator, 64, dvec3(1));
     expect_radiance(furnace_with(ball, bsdf::Mirror{}), integrator, 64, dvec3(1));
-    // Light goes through both sides of the glass: only whole paths, or chains of delta lobes, see it all.
+    // Light goes through both sides of the glass: only whole paths, or chains of delta lobes, see
+    // it all.
     if (follows_paths(integrator) || integrator == "whitted")
       expect_radiance(furnace_with(ball, bsdf::Dielectric{1, 1.5F}), integrator, 4096, dvec3(1));
   }
-  // The tables of albedos are interpolated: they are right to a thousandth, which a test of the mean would
-  // see.
+  // The tables of albedos are interpolated: they are right to a thousandth, which a test of the
+  // mean would see.
   bsdf::RoughConductor smoother = ggx_metal;
   smoother.alpha = 0.1F;
   for (const auto& conductor : {metal, ggx_metal, smoother}) {
@@ -64,11 +66,12 @@ TEST(Furnace, bodies_that_absorb_nothing_vanish) {
   }
 }
 
-// Without the energy of multiple scattering a rough metal loses light, with it none: the option does
-// something.
+// Without the energy of multiple scattering a rough metal loses light, with it none: the option
+// does something.
 TEST(Furnace, rough_metal_loses_light_without_multiscatter) {
   const Mean mean = mean_of(
-      render(furnace_with(make_sphere(4, false), bsdf::RoughConductor{Color(1), 0.8F}), 256).image, 0);
+      render(furnace_with(make_sphere(4, false), bsdf::RoughConductor{Color(1), 0.8F}), 256).image,
+      0);
   EXPECT_LT(mean.value, 0.9);
 }
 
@@ -80,10 +83,12 @@ double fresnel(double cos_i, double n) {
   return (rs * rs + rp * rp) / 2;
 }
 
-// One interface: what is refracted carries the radiance of the other side, compressed by (eta_o/eta_i)^2.
+// One interface: what is refracted carries the radiance of the other side, compressed by
+// (eta_o/eta_i)^2.
 TEST(Dielectric, one_interface_scales_refracted_radiance) {
   Scene scene = make_scene("direct_mats");
-  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Dielectric{1, 1.5F});
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Dielectric{1, 1.5F});
   scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(1)}});
   set_camera(scene, 4, 0.01, {-3, 4, 0}, {0, 0, 0});
   const double f = fresnel(0.8, 1.5);
@@ -95,16 +100,20 @@ TEST(Dielectric, one_interface_scales_refracted_radiance) {
     expect_radiance(scene, integrator, 4096, dvec3(from_below + (1 - from_below) * 1.5 * 1.5));
 }
 
-/// A plate of glass of index 1.5 and thickness 1 seen under 45 degrees, a strip of light behind it where the
-/// ray arrives that is shifted by `shift`, and only there.
+/// A plate of glass of index 1.5 and thickness 1 seen under 45 degrees, a strip of light behind it
+/// where the ray arrives that is shifted by `shift`, and only there.
 Scene slab(double shift) {
   Scene scene = make_scene("whitted");
-  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Dielectric{1, 1.5F});
-  add_mesh(scene, make_quad({-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, 9}), bsdf::Dielectric{1, 1.5F});
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Dielectric{1, 1.5F});
+  add_mesh(scene, make_quad({-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, 9}),
+           bsdf::Dielectric{1, 1.5F});
   // The unrefracted ray passes (0, 0, 0) and (2, -2, 0).
   const auto x = static_cast<float>(2 - shift);
-  add_mesh(scene, make_quad({x - 0.05F, -2, -1}, {x - 0.05F, -2, 1}, {x + 0.05F, -2, 1}, {x + 0.05F, -2, -1}),
-           bsdf::Diffuse{Color(0)}, Color(1));
+  add_mesh(
+      scene,
+      make_quad({x - 0.05F, -2, -1}, {x - 0.05F, -2, 1}, {x + 0.05F, -2, 1}, {x + 0.05F, -2, -1}),
+      bsdf::Diffuse{Color(0)}, Color(1));
   set_camera(scene, 4, 0.01, {-3, 3, 0}, {0, 0, 0});
   return scene;
 }
@@ -122,7 +131,8 @@ TEST(Dielectric, a_slab_shifts_what_is_behind_it) {
 
 TEST(PointLight, lights_a_diffuse_floor_exactly) {
   Scene scene = make_scene("direct_ems");
-  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Diffuse{Color(0.6F)});
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Diffuse{Color(0.6F)});
   scene.emitters.emplace_back(PointLight{{3, 4, 0}, Color(5, 10, 20)});
   set_camera(scene, 4, 0.001, {-3, 2, 0}, {0, 0, 0});
   const double irradiance_of_one = 0.8 / 25;
@@ -131,17 +141,19 @@ TEST(PointLight, lights_a_diffuse_floor_exactly) {
        {"direct_ems", "direct_mis", "direct_whitted", "whitted", "path_ems", "path_mis"}) {
     set_integrator(scene, integrator);
     const Image image = render(scene, 16).image;
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean_of(image, c).value / expected[c], 1, 1e-4) << integrator;
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(mean_of(image, c).value / expected[c], 1, 1e-4) << integrator;
   }
   expect_radiance(scene, "path_mats", 16, dvec3(0));
   // A second one: choosing one of the two brings noise, taking both none.
   scene.emitters.emplace_back(PointLight{{-3, 4, 0}, Color(1)});
   for (const char* integrator : {"direct_ems", "direct_mis"})
-    expect_radiance(scene, integrator, 4096, expected + dvec3(0.6 / std::numbers::pi * irradiance_of_one));
+    expect_radiance(scene, integrator, 4096,
+                    expected + dvec3(0.6 / std::numbers::pi * irradiance_of_one));
 }
 
-/// A point light above a ground so large that its sky has all the power: by power alone the light would never
-/// be asked.
+/// A point light above a ground so large that its sky has all the power: by power alone the light
+/// would never be asked.
 TEST(PointLight, is_seen_however_large_the_scene_is) {
   Scene scene = make_scene("path_mis");
   add_mesh(scene, make_quad({-1e4, 0, -1e4}, {-1e4, 0, 1e4}, {1e4, 0, 1e4}, {1e4, 0, -1e4}),
@@ -171,8 +183,8 @@ TEST(Simple, is_energy_over_four_pi_squared_by_cosine_and_distance) {
   EXPECT_EQ(mean_of(render(scene, 4).image, 0).value, 0);
 }
 
-/// A square facing +z whose (u, v) run from (0, 0) to (1, 1), filling the camera's image exactly; it emits
-/// its texture.
+/// A square facing +z whose (u, v) run from (0, 0) to (1, 1), filling the camera's image exactly;
+/// it emits its texture.
 Scene textured_screen(const Texture& texture, int size) {
   Scene scene = make_scene("direct_mats");
   Mesh mesh = make_quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
@@ -205,8 +217,8 @@ TEST(Textures, an_image_is_seen_texel_by_texel_mirrored_in_u_as_in_nori) {
   bitmap.height = 2;
   bitmap.texels = {0x000000, 0x0000ff, 0x00ff00, 0xff0000};  // black, red / green, blue
   bitmap.factor = Color(0.5F);
-  // A small camera looks at the place of each texel, where interpolation leaves it alone: (0, 0) is a corner
-  // of the screen.
+  // A small camera looks at the place of each texel, where interpolation leaves it alone: (0, 0) is
+  // a corner of the screen.
   const std::array<Color, 4> expected{Color(0), Color(1, 0, 0), Color(0, 1, 0), Color(0, 0, 1)};
   for (int i = 0; i < 4; ++i) {
     Scene scene = textured_screen(bitmap, 1);
@@ -219,7 +231,8 @@ TEST(Textures, an_image_is_seen_texel_by_texel_mirrored_in_u_as_in_nori) {
   }
 }
 
-// Colours of 8 bits are linear unless sRGB is asked for; half way between two texels the mean is seen.
+// Colours of 8 bits are linear unless sRGB is asked for; half way between two texels the mean is
+// seen.
 TEST(Textures, interpolation_and_decoding) {
   BitmapTexture bitmap;
   bitmap.width = 2;
@@ -229,11 +242,12 @@ TEST(Textures, interpolation_and_decoding) {
   set_camera(scene, 1, 0.0001, {0.5, 0, 1}, {0.5, 0, 0});
   EXPECT_NEAR(render(scene, 1).image.at(0, 0, 0), 128 / 255.0 + 1, 1e-4);
   std::get<BitmapTexture>(scene.textures[0]).srgb = true;
-  EXPECT_NEAR(render(scene, 1).image.at(0, 0, 0), std::pow((128 / 255.0 + 0.055) / 1.055, 2.4) + 1, 1e-4);
+  EXPECT_NEAR(render(scene, 1).image.at(0, 0, 0), std::pow((128 / 255.0 + 0.055) / 1.055, 2.4) + 1,
+              1e-4);
 }
 
-/// Irradiance per unit albedo/pi of a floor under the environment of one bright texel, integrated over its
-/// neighbourhood.
+/// Irradiance per unit albedo/pi of a floor under the environment of one bright texel, integrated
+/// over its neighbourhood.
 double irradiance_of_texel(int width, int height, int column, int row) {
   const auto tent = [](double distance) { return std::max(0.0, 1 - std::abs(distance)); };
   double sum = 0;
@@ -246,7 +260,8 @@ double irradiance_of_texel(int width, int height, int column, int row) {
       sum += tent(x - column) * tent(y - row) * std::max(0.0, std::cos(theta)) * std::sin(theta);
     }
   }
-  const double cell = (2 * std::numbers::pi / width) * (std::numbers::pi / height) / (steps * steps);
+  const double cell =
+      (2 * std::numbers::pi / width) * (std::numbers::pi / height) / (steps * steps);
   return sum * cell;
 }
 
@@ -254,15 +269,19 @@ TEST(Environment, of_one_bright_texel_lights_a_floor) {
   EnvironmentEmitter sky{16, 8, std::vector<Color>(128, Color(0))};
   sky.texels[6 * 16 + 5] = Color(100, 50, 25);
   Scene scene = make_scene("direct_ems");
-  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Diffuse{Color(0.6F)});
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Diffuse{Color(0.6F)});
   scene.emitters.emplace_back(sky);
   set_camera(scene, 4, 1, {-3, 4, 0}, {0, 0, 0});
-  const dvec3 expected = dvec3(100, 50, 25) * (0.6 / std::numbers::pi * irradiance_of_texel(16, 8, 5, 6));
-  for (const std::string& integrator : all_estimators()) expect_radiance(scene, integrator, 16384, expected);
+  const dvec3 expected =
+      dvec3(100, 50, 25) * (0.6 / std::numbers::pi * irradiance_of_texel(16, 8, 5, 6));
+  for (const std::string& integrator : all_estimators())
+    expect_radiance(scene, integrator, 16384, expected);
 }
 
-/// An emitter of 500,000 triangles of which each has less than a word's share of the area: another one, large
-/// and facing away, has the rest. The density of a sample must be the probability with which it was taken.
+/// An emitter of 500,000 triangles of which each has less than a word's share of the area: another
+/// one, large and facing away, has the rest. The density of a sample must be the probability with
+/// which it was taken.
 TEST(AreaLight, of_very_unequal_triangles_has_the_density_that_is_used) {
   constexpr int n = 500;
   std::vector<vec3> corners;
@@ -277,7 +296,8 @@ TEST(AreaLight, of_very_unequal_triangles_has_the_density_that_is_used) {
   }
   corners.insert(corners.end(), {{-100, 9, -100}, {-100, 9, 100}, {300, 9, -100}});
   Scene scene = make_scene("direct_ems");
-  add_mesh(scene, make_quad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}), bsdf::Diffuse{Color(1)});
+  add_mesh(scene, make_quad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}),
+           bsdf::Diffuse{Color(1)});
   add_mesh(scene, make_mesh(corners), bsdf::Diffuse{Color(0)}, Color(1));
   set_camera(scene, 8, 0.01, {0, 0.5, -0.2}, {0, 0, 0});
   const double irradiance =
@@ -302,7 +322,8 @@ TEST(SphereLight, lights_a_plane_as_its_triangles_do_and_nearly_as_a_sphere) {
   }
   EXPECT_NEAR(irradiance / (std::numbers::pi * 0.25 * 0.25), 1, 0.01);
   add_mesh(scene, sphere, bsdf::Diffuse{Color(0)}, Color(3));
-  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Diffuse{Color(0.8F)});
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Diffuse{Color(0.8F)});
   set_camera(scene, 4, 0.01, {-3, 1, 0}, {0, 0, 0});
   for (const std::string& integrator : all_estimators())
     expect_radiance(scene, integrator, 16384, dvec3(3 * 0.8 / std::numbers::pi * irradiance));

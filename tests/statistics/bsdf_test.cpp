@@ -1,5 +1,5 @@
-// Every BSDF of the shared list, on the kernels: what they sample has the density that they say, and gains no
-// energy. With FACET_FULL_GRID in the environment, seen from every direction.
+// Every BSDF of the shared list, on the kernels: what they sample has the density that they say,
+// and gains no energy. With FACET_FULL_GRID in the environment, seen from every direction.
 #include <cmath>
 
 #include "statistics/chi2_harness.h"
@@ -11,17 +11,19 @@ namespace {
 
 using statistics::BsdfDraw;
 
-/// Significance of one chi-squared test, so that all of the file err together with probability 0.01.
+/// Significance of one chi-squared test, so that all of the file err together with probability
+/// 0.01.
 double chi2_significance() {
   std::uint64_t tests = 0;
   for (std::size_t id = 0; id < bsdf_type_names.size(); ++id) {
-    for (const BsdfCase& c : bsdf_cases(id)) tests += sampled_directions(c, view_directions(c).size()).size();
+    for (const BsdfCase& c : bsdf_cases(id))
+      tests += sampled_directions(c, view_directions(c).size()).size();
   }
   return statistics::sidak_significance(0.01, tests);
 }
 
-/// Largest mean weight that is no gain. Tables of albedos are interpolated; that of roughsubstrate from the
-/// denser side is inherent in its formula.
+/// Largest mean weight that is no gain. Tables of albedos are interpolated; that of roughsubstrate
+/// from the denser side is inherent in its formula.
 double largest_albedo(const BsdfCase& c) {
   const auto* substrate = std::get_if<bsdf::RoughSubstrate>(&c.bsdf);
   if (substrate != nullptr && substrate->ext_ior > substrate->int_ior) return 1.9;
@@ -47,13 +49,17 @@ TEST_P(BsdfTest, samples_have_their_density_and_gain_no_energy) {
       const vec3 wo = directions[d];
       statistics::Chi2Options options;
       options.seed = static_cast<std::uint32_t>(2 * (100 * c.number + d));
-      options.transmission_scale = static_cast<float>(std::pow(c.index_at(-wo) / c.index_at(wo), 2));
-      const statistics::Chi2Result r = statistics::test_sampling(kernels, wo, options, significance);
+      options.transmission_scale =
+          static_cast<float>(std::pow(c.index_at(-wo) / c.index_at(wo), 2));
+      const statistics::Chi2Result r =
+          statistics::test_sampling(kernels, wo, options, significance);
       EXPECT_EQ(r.fault, "") << describe(c, wo);
-      EXPECT_EQ(r.deltas.empty(), !c.has_flag(shared::BSDF_DELTA) && r.pdf_integral > 0) << describe(c, wo);
+      EXPECT_EQ(r.deltas.empty(), !c.has_flag(shared::BSDF_DELTA) && r.pdf_integral > 0)
+          << describe(c, wo);
       if (r.deltas.empty()) {
         const double error = std::sqrt(r.rejected_share * (1 - r.rejected_share) / options.samples);
-        EXPECT_NEAR(r.pdf_integral, 1 - r.rejected_share, 5 * error + r.integral_error) << describe(c, wo);
+        EXPECT_NEAR(r.pdf_integral, 1 - r.rejected_share, 5 * error + r.integral_error)
+            << describe(c, wo);
       }
       expect_no_gain(c, wo, r.weight);
       least = std::min(least, r.p_value);
@@ -80,7 +86,8 @@ TEST(DeltaLobes, dielectric_reflects_as_often_as_fresnel_says) {
   for (const BsdfCase& c : bsdf_cases(Bsdf(bsdf::Dielectric{}).index())) {
     KernelBsdfEvaluator kernels = kernels_of(c);
     for (const vec3& wo : view_directions(c)) {
-      const double f = exact_fresnel(std::abs(static_cast<double>(wo.z)), c.index_at(wo) / c.index_at(-wo));
+      const double f =
+          exact_fresnel(std::abs(static_cast<double>(wo.z)), c.index_at(wo) / c.index_at(-wo));
       constexpr std::uint32_t samples = 100'000;
       double reflected = 0;
       for (const BsdfDraw& d : kernels.sample(wo, samples, static_cast<std::uint32_t>(++tests))) {
@@ -94,7 +101,8 @@ TEST(DeltaLobes, dielectric_reflects_as_often_as_fresnel_says) {
   EXPECT_GE(least, statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, BsdfTest, testing::Range<std::size_t>(0, bsdf_type_names.size()), name_of);
+INSTANTIATE_TEST_SUITE_P(Every, BsdfTest, testing::Range<std::size_t>(0, bsdf_type_names.size()),
+                         name_of);
 
 }  // namespace
 }  // namespace facet::test

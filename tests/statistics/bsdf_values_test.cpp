@@ -1,5 +1,5 @@
-// Every BSDF of the shared list, on the kernels: values are those of the reference in double, and reciprocal;
-// weights are value times cosine over density; nothing is undefined at the limits.
+// Every BSDF of the shared list, on the kernels: values are those of the reference in double, and
+// reciprocal; weights are value times cosine over density; nothing is undefined at the limits.
 #include <cmath>
 #include <numbers>
 
@@ -24,11 +24,11 @@ class BsdfValues : public BsdfTest {};
 struct Conditioning {
   /// Of D: its exponent, or how far up the flank.
   double slope = 1;
-  /// Relative change of the share that is reflected or refracted where a cosine is rounded: beside the
-  /// critical angle reflectance has an infinite slope, and what is refracted vanishes.
+  /// Relative change of the share that is reflected or refracted where a cosine is rounded: beside
+  /// the critical angle reflectance has an infinite slope, and what is refracted vanishes.
   double reflectance = 0;
-  /// Relative change of D where a direction is rounded; where the products are that a refracted pair's half
-  /// vector is made of.
+  /// Relative change of D where a direction is rounded; where the products are that a refracted
+  /// pair's half vector is made of.
   double rounding = 0;
   double products = 0;
 
@@ -43,9 +43,9 @@ double reflectance(double eta_i, double cos_i, double eta_t, double cos_t) {
   return 0.5 * (s * s + p * p);
 }
 
-/// Largest relative change of what is reflected, or of what is refracted (the cosines times the share), by
-/// rounding: four roundings of a dot product of unit vectors, eight of the squared cosine beyond, each of at
-/// most the greater of 1 and the squared ratio.
+/// Largest relative change of what is reflected, or of what is refracted (the cosines times the
+/// share), by rounding: four roundings of a dot product of unit vectors, eight of the squared
+/// cosine beyond, each of at most the greater of 1 and the squared ratio.
 double change_by_rounding(double eta_i, double cos_i, double eta_t, bool reflects) {
   if (eta_i == eta_t) return 0;
   constexpr double rounding = 0x1p-24;
@@ -61,7 +61,8 @@ double change_by_rounding(double eta_i, double cos_i, double eta_t, bool reflect
     for (const double b : {-8, 8}) {
       const double off =
           value(std::clamp(cos_i + a * rounding, 0.0, 1.0), b * rounding * std::max(1.0, ratio2));
-      if (std::max(exact, off) > 0) change = std::max(change, std::abs(off - exact) / std::max(exact, off));
+      if (std::max(exact, off) > 0)
+        change = std::max(change, std::abs(off - exact) / std::max(exact, off));
     }
   }
   return change;
@@ -79,7 +80,8 @@ Conditioning conditioning(const BsdfCase& c, const DirectionPair& p) {
   result.rounding = 2 * (1 + tangent / alpha) * (0x1p-23 / std::abs(h.z)) / alpha;
   if (!reflects) result.products = result.rounding * std::abs(eta_i - eta_o);
   const double cosine = std::abs(glm::dot(dvec3(p.wo), glm::normalize(h)));
-  result.reflectance = change_by_rounding(eta_o, cosine, reflects ? c.index_at(-p.wo) : eta_i, reflects);
+  result.reflectance =
+      change_by_rounding(eta_o, cosine, reflects ? c.index_at(-p.wo) : eta_i, reflects);
   return result;
 }
 
@@ -114,7 +116,8 @@ class Comparison {
     if (share > worst_) worst_ = share, where_ = fmt::format("{}: {} and {}", where, a, b);
     ++count_;
   }
-  /// A channel without reflectance of its own, (1 - c)^5, is compared in units of a millionth of the largest.
+  /// A channel without reflectance of its own, (1 - c)^5, is compared in units of a millionth of
+  /// the largest.
   void add(const vec3& a, const vec3& b, double allowed, const std::string& where) {
     const double least = 1e-6 * static_cast<double>(std::max({a.x, a.y, a.z}));
     for (int k = 0; k < 3; ++k) add(a[k], b[k], allowed, least, where);
@@ -122,7 +125,8 @@ class Comparison {
   void expect(std::size_t least_count) const {
     EXPECT_LE(worst_, 1) << where_;
     EXPECT_GE(count_, least_count);
-    std::printf("worst difference %.3f of what is allowed, of %zu: %s\n", worst_, count_, where_.c_str());
+    std::printf("worst difference %.3f of what is allowed, of %zu: %s\n", worst_, count_,
+                where_.c_str());
   }
 
  private:
@@ -169,7 +173,8 @@ TEST_P(BsdfValues, values_are_reciprocal) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto eta2_o = static_cast<float>(std::pow(c.index_at(pairs[i].wo), 2));
       const auto eta2_i = static_cast<float>(std::pow(c.index_at(pairs[i].wi), 2));
-      const double allowed = conditioning(c, pairs[i]).allowed() + conditioning(c, swapped[i]).allowed();
+      const double allowed =
+          conditioning(c, pairs[i]).allowed() + conditioning(c, swapped[i]).allowed();
       values.add(there[i].f / eta2_o, back[i].f / eta2_i, allowed, describe(c, pairs[i]));
     }
   }
@@ -193,21 +198,24 @@ TEST_P(BsdfValues, weights_are_value_times_cosine_over_density) {
   for (const BsdfCase& c : bsdf_cases(GetParam())) {
     KernelBsdfEvaluator kernels = kernels_of(c);
     for (const vec3& wo : view_directions(c)) {
-      std::vector<BsdfDraw> draws = kernels.sample(wo, 512, static_cast<std::uint32_t>(c.number + 7));
+      std::vector<BsdfDraw> draws =
+          kernels.sample(wo, 512, static_cast<std::uint32_t>(c.number + 7));
       for (const BsdfDraw& d : kernels.sample(wo, extremes)) draws.push_back(d);
       std::vector<DirectionPair> pairs;
       for (const BsdfDraw& d : draws) pairs.push_back({wo, d.wi});
       const std::vector<BsdfValue> values = kernels.evaluate(pairs);
       for (std::size_t i = 0; i < draws.size(); ++i) {
         const BsdfDraw& d = draws[i];
-        ASSERT_TRUE(is_value({d.weight, std::max(d.pdf, 0.0F)})) << describe(c, wo) << ", sample " << i;
+        ASSERT_TRUE(is_value({d.weight, std::max(d.pdf, 0.0F)}))
+            << describe(c, wo) << ", sample " << i;
         if (d.weight == vec3(0) || d.pdf < 0) continue;
         EXPECT_NEAR(glm::length(dvec3(d.wi)), 1, 1e-6) << describe(c, wo);
         if (!(values[i].pdf > 1e-20F)) continue;
         // Seen from outside, the direction is rounded.
         const Conditioning known = conditioning(c, pairs[i]);
         weights.add(d.weight, values[i].f * (std::abs(d.wi.z) / values[i].pdf),
-                    known.allowed() + known.rounding, fmt::format("{}, sample {}", describe(c, pairs[i]), i));
+                    known.allowed() + known.rounding,
+                    fmt::format("{}, sample {}", describe(c, pairs[i]), i));
       }
     }
   }
@@ -244,12 +252,14 @@ TEST_P(BsdfValues, nothing_is_nan_infinite_or_negative_at_the_limits) {
     }
     for (const vec3& wo : directions) {
       for (const BsdfDraw& d : kernels.sample(wo, extreme_numbers()))
-        EXPECT_TRUE(is_value({d.weight, d.weight == vec3(0) ? 0 : std::abs(d.pdf)})) << describe(c, wo);
+        EXPECT_TRUE(is_value({d.weight, d.weight == vec3(0) ? 0 : std::abs(d.pdf)}))
+            << describe(c, wo);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, BsdfValues, testing::Range<std::size_t>(0, bsdf_type_names.size()), name_of);
+INSTANTIATE_TEST_SUITE_P(Every, BsdfValues, testing::Range<std::size_t>(0, bsdf_type_names.size()),
+                         name_of);
 
 }  // namespace
 }  // namespace facet::test

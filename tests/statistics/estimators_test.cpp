@@ -34,9 +34,10 @@ void expect_agreement(const Image& a, const Image& b, const std::string& what) {
 /// Samples with which every cell holds enough contributions of the rarest kind.
 int samples_for(const std::string& scene) { return scene.starts_with("veach") ? 4096 : 1024; }
 
-/// BSDF samples find the small sun of that sky once in thousands, and the rest of the sky hides from the test
-/// of means how few those are, most of all in pixels that see the sky. Here each block of texels has its
-/// mean, a sun that is found often enough, and the camera sees the bust alone.
+/// BSDF samples find the small sun of that sky once in thousands, and the rest of the sky hides
+/// from the test of means how few those are, most of all in pixels that see the sky. Here each
+/// block of texels has its mean, a sun that is found often enough, and the camera sees the bust
+/// alone.
 void widen_sun(Scene& scene) {
   constexpr int block = 16;
   for (Emitter& emitter : scene.emitters) {
@@ -48,15 +49,16 @@ void widen_sun(Scene& scene) {
     for (int y = 0; y < wide.height * block; ++y) {
       for (int x = 0; x < wide.width * block; ++x)
         wide.texels[static_cast<std::size_t>(y / block * wide.width + x / block)] +=
-            sky->texels[static_cast<std::size_t>(y * sky->width + x)] / static_cast<float>(block * block);
+            sky->texels[static_cast<std::size_t>(y * sky->width + x)] /
+            static_cast<float>(block * block);
     }
     *sky = wide;
     scene.camera.fov = 6;
   }
 }
 
-/// Fewer pixels of more samples each, at the same cost, where bright samples are rare: an emitter sample
-/// meets the peak of Veach's smoothest plate once in 40,000.
+/// Fewer pixels of more samples each, at the same cost, where bright samples are rare: an emitter
+/// sample meets the peak of Veach's smoothest plate once in 40,000.
 int concentration_of(const std::string& scene) {
   if (scene.starts_with("veach")) return 8;
   return scene.starts_with("serapis") ? 4 : 1;
@@ -102,8 +104,9 @@ TEST_P(Estimators, agree_under_both_lobe_samplings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Estimators,
-                         testing::Values("cbox/cbox_conductors_mis.xml", "cbox/cbox_substrate_mis.xml",
-                                         "veach_mi/veach_mi_mis.xml", "serapis/serapis_rough_mis.xml",
+                         testing::Values("cbox/cbox_conductors_mis.xml",
+                                         "cbox/cbox_substrate_mis.xml", "veach_mi/veach_mi_mis.xml",
+                                         "serapis/serapis_rough_mis.xml",
                                          "serapis/serapis_smooth_mis.xml"));
 
 TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
@@ -111,7 +114,8 @@ TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
   shrink(scene, 48);
   const Image usual = estimate(scene, "direct_mis", 1, 1024);
   const auto uniform = [&scene](std::uint32_t seed) {
-    return estimate(scene, "direct_mis", seed, 1024, LobeSampling::visible, EmitterSelection::uniform);
+    return estimate(scene, "direct_mis", seed, 1024, LobeSampling::visible,
+                    EmitterSelection::uniform);
   };
   expect_agreement(usual, uniform(2), "power, uniform selection");
   scene.integrator.heuristic = Heuristic::power;
@@ -122,7 +126,8 @@ TEST(EstimatorChoices, area_emitter_and_environment_together) {
   Scene scene = make_scene("direct_ems");
   add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
            bsdf::RoughSubstrate{Color(0.4F), 0.2F});
-  add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{}, Color(3, 2, 1));
+  add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{},
+           Color(3, 2, 1));
   EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
   sky.texels[8 * 2 + 3] = Color(9, 8, 7);
   scene.emitters.emplace_back(sky);

@@ -35,17 +35,20 @@ TEST_P(Furnace, has_its_analytic_radiance) {
 
 INSTANTIATE_TEST_SUITE_P(All, Furnace,
                          testing::Combine(testing::Values("direct_ems", "direct_mats", "direct_mis",
-                                                          "path_ems", "path_nee", "path_mats", "path_mis",
-                                                          "path"),
+                                                          "path_ems", "path_nee", "path_mats",
+                                                          "path_mis", "path"),
                                           testing::Values(0.0F, 0.5F, 0.8F)));
 
-/// Walls that keep nearly all light: with a constant limit of the survival, 0.95, the variance was infinite
-/// from an albedo of 0.975 on, and images were too dark with an estimated error that did not show it.
+/// Walls that keep nearly all light: with a constant limit of the survival, 0.95, the variance was
+/// infinite from an albedo of 0.975 on, and images were too dark with an estimated error that did
+/// not show it.
 TEST(Furnace, bright_walls_keep_their_light) {
   for (const char* integrator : {"path_ems", "path_mats", "path_mis"}) {
-    expect_mean(render(furnace(integrator, 0.99F), 4096).image, 1 / (1 - static_cast<double>(0.99F)));
+    expect_mean(render(furnace(integrator, 0.99F), 4096).image,
+                1 / (1 - static_cast<double>(0.99F)));
   }
-  expect_mean(render(furnace("path_mis", 0.999F), 512).image, 1 / (1 - static_cast<double>(0.999F)));
+  expect_mean(render(furnace("path_mis", 0.999F), 512).image,
+              1 / (1 - static_cast<double>(0.999F)));
 }
 
 /// Nothing takes light away in a room of mirrors: its paths end by roulette alone.
@@ -78,7 +81,8 @@ TEST(Furnace, power_heuristic_is_unbiased) {
 TEST(Furnace, constant_environment_gives_albedo) {
   for (const char* integrator : {"direct_ems", "direct_mats", "direct_mis"}) {
     Scene scene = make_scene(integrator);
-    add_mesh(scene, make_quad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}), bsdf::Diffuse{Color(0.6F)});
+    add_mesh(scene, make_quad({-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}),
+             bsdf::Diffuse{Color(0.6F)});
     scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(2)}});
     set_camera(scene, 8, 5, {0, 3, 0}, {0, 0, 0}, {0, 0, 1});
     expect_mean(render(scene, 512).image, 1.2);
@@ -118,9 +122,10 @@ TEST(FirstHit, depth_is_the_distance_and_normals_are_absolute) {
   EXPECT_EQ(render(scene, 4).image.at(1, 2, 1), 0);
 }
 
-/// Radiance leaving a diffuse floor under a polygonal light of radiance 1 (J. H. Lambert's formula for the
-/// irradiance).
-double lambert_radiance(const dvec3& p, const dvec3& n, const std::vector<dvec3>& polygon, double albedo) {
+/// Radiance leaving a diffuse floor under a polygonal light of radiance 1 (J. H. Lambert's formula
+/// for the irradiance).
+double lambert_radiance(const dvec3& p, const dvec3& n, const std::vector<dvec3>& polygon,
+                        double albedo) {
   dvec3 sum(0);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const dvec3 a = glm::normalize(polygon[i] - p);
@@ -134,12 +139,14 @@ TEST(PolygonalLight, lights_a_diffuse_floor_as_lambert_says) {
   for (const char* integrator :
        {"direct_ems", "direct_mats", "direct_mis", "path_ems", "path_mats", "path_mis"}) {
     Scene scene = make_scene(integrator);
-    add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}), bsdf::Diffuse{Color(0.7F)});
+    add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+             bsdf::Diffuse{Color(0.7F)});
     // Faces down; black, so that a path ends on it.
-    add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{Color(0)}, Color(1));
+    add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{Color(0)},
+             Color(1));
     set_camera(scene, 8, 0.01, {-2, 2, -1.5}, {-0.4, 0, 0.3});
-    const double expected =
-        lambert_radiance({-0.4, 0, 0.3}, {0, 1, 0}, {{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}, 0.7);
+    const double expected = lambert_radiance({-0.4, 0, 0.3}, {0, 1, 0},
+                                             {{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}, 0.7);
     expect_mean(render(scene, 4096).image, expected);
   }
 }

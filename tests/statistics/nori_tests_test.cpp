@@ -24,8 +24,8 @@ constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t many = 200000;
 constexpr double significance = 1e-3;
 
-/// Draws directions whose density is (n + 1) / 2 pi cos^n around an axis in the upper hemisphere; what falls
-/// below the horizon is rejected. Claims a density that may be off.
+/// Draws directions whose density is (n + 1) / 2 pi cos^n around an axis in the upper hemisphere;
+/// what falls below the horizon is rejected. Claims a density that may be off.
 class Lobe : public BsdfEvaluator {
  public:
   double exponent = 1;
@@ -75,7 +75,8 @@ class Lobe : public BsdfEvaluator {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const dvec3 tangent(std::cos(tilt), 0, -std::sin(tilt));
     const double phi = 2 * pi * n.v;
-    const dvec3 w = cosine * axis() + sine * (std::cos(phi) * tangent + std::sin(phi) * dvec3(0, 1, 0));
+    const dvec3 w =
+        cosine * axis() + sine * (std::cos(phi) * tangent + std::sin(phi) * dvec3(0, 1, 0));
     if (w.z <= 0 && horizon) return {};
     return {vec3(w), 1, vec3(static_cast<float>(2 * weight * n.lobe))};
   }
@@ -96,7 +97,8 @@ TEST(ChiSquared, AcceptsSamplesOfTheirDensity) {
         lobe.tilt = tilt;
         const Verdict v = chi_squared(lobe, resolution);
         EXPECT_TRUE(v.passed || v.note.starts_with("nothing"))
-            << exponent << " " << tilt << " " << resolution << ": p " << v.p_value << ", " << v.note;
+            << exponent << " " << tilt << " " << resolution << ": p " << v.p_value << ", "
+            << v.note;
       }
     }
   }
@@ -148,7 +150,8 @@ TEST(ChiSquared, FindsNarrowPeaks) {
   needle.tilt = 0.5;
   const auto histogram = make_histogram(needle, vec3(0, 0, 1), 10, many, 3);
   ASSERT_TRUE(histogram.has_value());
-  const double expected = std::accumulate(histogram->expected.begin(), histogram->expected.end(), 0.0);
+  const double expected =
+      std::accumulate(histogram->expected.begin(), histogram->expected.end(), 0.0);
   EXPECT_NEAR(expected / histogram->samples, 1, 1e-4);
 }
 
@@ -299,7 +302,8 @@ class FakeBackend : public TestableBackend {
     EXPECT_EQ(settings.crop_height(), settings.size.height);
     return std::make_unique<GreyRendering>(settings, samples);
   }
-  std::unique_ptr<BsdfEvaluator> evaluator(const Bsdf& /*bsdf*/, LobeSampling /*sampling*/) override {
+  std::unique_ptr<BsdfEvaluator> evaluator(const Bsdf& /*bsdf*/,
+                                           LobeSampling /*sampling*/) override {
     auto lobe = std::make_unique<Lobe>();
     weight += weight_step;
     lobe->weight = weight;
@@ -311,7 +315,8 @@ class FakeBackend : public TestableBackend {
   double weight_step = 0;
 };
 
-/// Two BSDFs under two angles, of albedos 0.2, 0.2, 0.4, 0.4 by the order in which evaluators are made.
+/// Two BSDFs under two angles, of albedos 0.2, 0.2, 0.4, 0.4 by the order in which evaluators are
+/// made.
 std::vector<TestCase> run_albedos(const std::vector<double>& references, double of_file,
                                   std::uint32_t seed = 1) {
   StatisticalTest test;
@@ -373,7 +378,8 @@ TEST(RunTest, StopsWhenTold) {
   test.kind = ChiSquaredTest{4, 5, 1000, 9};
   FakeBackend backend;
   int cases = 0;
-  run_test(test, backend, LobeSampling::visible, 1, [&cases](const TestCase&) { return ++cases < 3; });
+  run_test(test, backend, LobeSampling::visible, 1,
+           [&cases](const TestCase&) { return ++cases < 3; });
   EXPECT_EQ(cases, 3);
 }
 

@@ -17,8 +17,8 @@ const Color all_reflectances(0, 0.5F, 1);
 
 constexpr MicrofacetOptions exact_masking{Distribution::beckmann, Masking::exact};
 
-// What varies beside roughness, distribution and sampling; the cases take them in turn. Five or three:
-// coprime to the seven roughnesses.
+// What varies beside roughness, distribution and sampling; the cases take them in turn. Five or
+// three: coprime to the seven roughnesses.
 std::vector<Diffuse> variants(const Diffuse& /*type*/) { return {{all_reflectances}, {Color(1)}}; }
 std::vector<Mirror> variants(const Mirror& /*type*/) { return {{}}; }
 std::vector<Dielectric> variants(const Dielectric& /*type*/) {
@@ -149,12 +149,14 @@ std::vector<BsdfCase> bsdf_cases(std::size_t id) {
 
 std::vector<vec3> view_directions(const BsdfCase& c) {
   const bool narrow = c.alpha() < 0.05F;
-  std::vector<double> cosines{1,   0.99999, 0.9995, 0.995, 0.98, 0.96, 0.93, 0.9,  0.86, 0.82, 0.78, 0.74,
-                              0.7, 0.65,    0.6,    0.55,  0.5,  0.45, 0.4,  0.35, 0.28, 0.2,  0.1};
+  std::vector<double> cosines{1,    0.99999, 0.9995, 0.995, 0.98, 0.96, 0.93, 0.9,
+                              0.86, 0.82,    0.78,   0.74,  0.7,  0.65, 0.6,  0.55,
+                              0.5,  0.45,    0.4,    0.35,  0.28, 0.2,  0.1};
   cosines.push_back(narrow ? 0.05 : 0.01);
   cosines.push_back(narrow ? 0.02 : 0.001);
   if (c.transmits())
-    cosines.insert(cosines.end(), {-1, -0.995, -0.95, -0.85, -0.76, -0.74, -0.6, -0.4, -0.2, -0.05});
+    cosines.insert(cosines.end(),
+                   {-1, -0.995, -0.95, -0.85, -0.76, -0.74, -0.6, -0.4, -0.2, -0.05});
   std::vector<vec3> directions;
   for (std::size_t i = 0; i < cosines.size(); ++i) {
     // Along an axis where grazing: narrow lobes then lie where floats are dense.
@@ -162,8 +164,11 @@ std::vector<vec3> view_directions(const BsdfCase& c) {
         std::abs(cosines[i]) < 0.3 ? 0.25 * static_cast<double>(i) : 0.618 * static_cast<double>(i);
     const double angle = 2 * std::numbers::pi * turns;
     const double radius = std::sqrt((1 - cosines[i]) * (1 + cosines[i]));
-    const auto flat = [&](double x) { return std::abs(x) < 1e-9 ? 0.0F : static_cast<float>(radius * x); };
-    directions.emplace_back(flat(std::cos(angle)), flat(std::sin(angle)), static_cast<float>(cosines[i]));
+    const auto flat = [&](double x) {
+      return std::abs(x) < 1e-9 ? 0.0F : static_cast<float>(radius * x);
+    };
+    directions.emplace_back(flat(std::cos(angle)), flat(std::sin(angle)),
+                            static_cast<float>(cosines[i]));
   }
   return directions;
 }

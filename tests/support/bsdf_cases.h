@@ -1,6 +1,6 @@
 #pragma once
-// The parameters and directions that every BSDF of the shared list is tested with. A new one wants an
-// overload of `variants`, without which this does not compile.
+// The parameters and directions that every BSDF of the shared list is tested with. A new one wants
+// an overload of `variants`, without which this does not compile.
 #include <string>
 #include <vector>
 
@@ -16,7 +16,9 @@ struct BsdfCase {
   std::string name;
   std::size_t number = 0;  ///< among those of all BSDFs
 
-  [[nodiscard]] bool has_flag(std::uint32_t flag) const { return (pack_bsdf(bsdf).flags & flag) != 0; }
+  [[nodiscard]] bool has_flag(std::uint32_t flag) const {
+    return (pack_bsdf(bsdf).flags & flag) != 0;
+  }
   [[nodiscard]] bool transmits() const { return has_flag(shared::BSDF_TRANSMITS); }
   /// Roughness; 1 where there is none.
   [[nodiscard]] float alpha() const;
@@ -26,12 +28,13 @@ struct BsdfCase {
 
 inline constexpr std::array roughnesses{1e-3F, 0.01F, 0.05F, 0.1F, 0.3F, 0.6F, 1.0F};
 
-/// All cases of the BSDF of that id: each rough one with every roughness, distribution and sampling.
+/// All cases of the BSDF of that id: each rough one with every roughness, distribution and
+/// sampling.
 [[nodiscard]] std::vector<BsdfCase> bsdf_cases(std::size_t id);
 
-/// 25 directions of view from the normal to grazing, and ten from below where the BSDF transmits. Narrow
-/// lobes are seen under a cosine of 0.02 at least: beyond, the float directions themselves are too coarse for
-/// them.
+/// 25 directions of view from the normal to grazing, and ten from below where the BSDF transmits.
+/// Narrow lobes are seen under a cosine of 0.02 at least: beyond, the float directions themselves
+/// are too coarse for them.
 [[nodiscard]] std::vector<vec3> view_directions(const BsdfCase& c);
 
 /// Whether everything is to be tested that takes long (FACET_FULL_GRID in the environment).

@@ -24,11 +24,13 @@ struct NamedBsdf {
 };
 
 inline constexpr bsdf::MicrofacetOptions rational_beckmann{};
-inline constexpr bsdf::MicrofacetOptions exact_beckmann{bsdf::Distribution::beckmann, Masking::exact};
+inline constexpr bsdf::MicrofacetOptions exact_beckmann{bsdf::Distribution::beckmann,
+                                                        Masking::exact};
 inline constexpr bsdf::MicrofacetOptions ggx{bsdf::Distribution::ggx, Masking::rational};
 
 /// Every BSDF that has values, of roughness alpha, under the options.
-[[nodiscard]] inline std::vector<NamedBsdf> rough_bsdfs(float alpha, const bsdf::MicrofacetOptions& options,
+[[nodiscard]] inline std::vector<NamedBsdf> rough_bsdfs(float alpha,
+                                                        const bsdf::MicrofacetOptions& options,
                                                         float ext_ior = 1, float int_ior = 1.5F) {
   const Color warm(0.9F, 0.5F, 0.1F);
   const Color cold(0.2F, 0.5F, 0.7F);

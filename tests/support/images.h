@@ -9,7 +9,8 @@
 namespace facet::test {
 
 /// Values without a pattern that compression could shrink to nothing.
-[[nodiscard]] inline Image make_image(int width, int height, const std::vector<std::string>& channels) {
+[[nodiscard]] inline Image make_image(int width, int height,
+                                      const std::vector<std::string>& channels) {
   Image image(width, height, channels);
   std::uint32_t state = 1;
   for (std::size_t c = 0; c < channels.size(); ++c) {

@@ -16,8 +16,8 @@ inline double area(const Mesh& mesh) {
   double sum = 0;
   for (const uvec3& t : mesh.position_indices) {
     const vec3 a = mesh.positions[t.x];
-    sum +=
-        0.5 * static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a)));
+    sum += 0.5 * static_cast<double>(
+                     glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a)));
   }
   return sum;
 }
@@ -31,11 +31,13 @@ class ObjTest : public ::testing::Test {
   }
   ObjParts read_parts(const std::string& text) {
     diagnostics_ = Diagnostics();
-    return read_obj_by_material(folder_.write("mesh.obj", text), dmat4(1), {"scene.xml", 7}, diagnostics_);
+    return read_obj_by_material(folder_.write("mesh.obj", text), dmat4(1), {"scene.xml", 7},
+                                diagnostics_);
   }
   void expect_error(const std::string& text, int line, std::initializer_list<const char*> words) {
     SCOPED_TRACE(text.substr(0, 1000));
-    expect_message(input_error_of([&] { return read(text); }), place(folder_.file("mesh.obj"), line), words);
+    expect_message(input_error_of([&] { return read(text); }),
+                   place(folder_.file("mesh.obj"), line), words);
   }
   /// Of a file as a whole.
   void expect_refusal(const std::string& text, std::initializer_list<const char*> words) {

@@ -22,12 +22,14 @@ void expect_parity(const Scene& scene, const RenderSettings& settings) {
   for (const std::string& failing : report.failings()) ADD_FAILURE() << failing;
   for (const parity::DivergedSample& d : report.diverged) {
     if (d.turned.empty())
-      ADD_FAILURE() << "pixel " << d.x << ',' << d.y << " sample " << d.sample << ": kernels " << d.kernels.x
-                    << ' ' << d.kernels.y << ' ' << d.kernels.z << ", reference " << d.reference.x << ' '
-                    << d.reference.y << ' ' << d.reference.z << "; decided by least: " << d.nearest;
+      ADD_FAILURE() << "pixel " << d.x << ',' << d.y << " sample " << d.sample << ": kernels "
+                    << d.kernels.x << ' ' << d.kernels.y << ' ' << d.kernels.z << ", reference "
+                    << d.reference.x << ' ' << d.reference.y << ' ' << d.reference.z
+                    << "; decided by least: " << d.nearest;
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(3, report.suspects.size()); ++i)
-    ADD_FAILURE() << "suspect: " << report.suspects[i].part << ", score " << report.suspects[i].score;
+    ADD_FAILURE() << "suspect: " << report.suspects[i].part << ", score "
+                  << report.suspects[i].score;
 }
 
 std::vector<std::string> shipped_scenes() {

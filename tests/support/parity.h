@@ -5,8 +5,10 @@
 
 namespace facet::test {
 
-/// Renders with the kernels and compares with the reference; expects that no validation message was heard.
-[[nodiscard]] parity::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings);
+/// Renders with the kernels and compares with the reference; expects that no validation message was
+/// heard.
+[[nodiscard]] parity::ParityReport compare_with_reference(const Scene& scene,
+                                                          const RenderSettings& settings);
 
 /// Expects parity, and says what does not hold.
 void expect_parity(const Scene& scene, const RenderSettings& settings);

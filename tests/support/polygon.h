@@ -7,8 +7,8 @@
 
 namespace facet::test {
 
-/// Irradiance of a horizontal plane at the origin from a triangle of radiance 1 (J. H. Lambert 1760),
-/// counting its front side.
+/// Irradiance of a horizontal plane at the origin from a triangle of radiance 1 (J. H. Lambert
+/// 1760), counting its front side.
 [[nodiscard]] inline double polygon_irradiance(const std::array<dvec3, 3>& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -75,7 +75,8 @@ Mean mean_of(const Image& image, int channel) {
 void expect_mean(const Image& image, const Color& expected, double critical) {
   for (int c = 0; c < 3; ++c) {
     const Mean mean = mean_of(image, c);
-    EXPECT_NEAR(mean.value, expected[c], critical * mean.error + 3e-6 * static_cast<double>(expected[c]))
+    EXPECT_NEAR(mean.value, expected[c],
+                critical * mean.error + 3e-6 * static_cast<double>(expected[c]))
         << "channel " << c << ", standard error " << mean.error;
   }
 }

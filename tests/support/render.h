@@ -18,7 +18,8 @@ struct Rendered {
 /// The whole image with `spp` samples.
 [[nodiscard]] RenderSettings whole_image(const Scene& scene, int spp);
 
-/// Renders and expects that no sample was bad, no bound was hit, and the validation layers kept silent.
+/// Renders and expects that no sample was bad, no bound was hit, and the validation layers kept
+/// silent.
 [[nodiscard]] Rendered render(const PackedScene& packed);
 [[nodiscard]] inline Rendered render(const Scene& scene, const RenderSettings& settings) {
   return render(pack_scene(scene, settings));
@@ -35,7 +36,8 @@ struct Rendered {
 void expect_silent_validation();
 
 /// The same by the reference.
-[[nodiscard]] Film render_reference(const Scene& scene, const RenderSettings& settings, Precision precision);
+[[nodiscard]] Film render_reference(const Scene& scene, const RenderSettings& settings,
+                                    Precision precision);
 
 /// Sets the integrator by name.
 void set_integrator(Scene& scene, const std::string& name);
@@ -47,12 +49,12 @@ struct Mean {
 };
 [[nodiscard]] Mean mean_of(const Image& image, int channel);
 
-/// Expects the mean of every channel within `critical` standard errors of what is expected; a mean without
-/// variance must be exact to rounding.
+/// Expects the mean of every channel within `critical` standard errors of what is expected; a mean
+/// without variance must be exact to rounding.
 void expect_mean(const Image& image, const Color& expected, double critical);
 
-/// The critical distance, in standard errors, of one of `tests` two-sided tests of means that err together
-/// with probability 0.01.
+/// The critical distance, in standard errors, of one of `tests` two-sided tests of means that err
+/// together with probability 0.01.
 [[nodiscard]] double critical_distance(int tests);
 
 /// A shipped scene.

@@ -78,7 +78,8 @@ void add_mesh(Scene& scene, Mesh mesh, const Bsdf& bsdf, const Color& radiance) 
   scene.bsdfs.push_back(bsdf);
   if (radiance != Color(0)) {
     mesh.emitter = static_cast<std::uint32_t>(scene.emitters.size());
-    scene.emitters.emplace_back(AreaEmitter{static_cast<std::uint32_t>(scene.meshes.size()), radiance});
+    scene.emitters.emplace_back(
+        AreaEmitter{static_cast<std::uint32_t>(scene.meshes.size()), radiance});
   }
   scene.meshes.push_back(std::move(mesh));
 }
@@ -99,8 +100,8 @@ void set_camera(Scene& scene, int size, double fov, const dvec3& origin, const d
   c.far_clip = 1e30;
   c.filter = BoxFilter{};
   // +x of the camera is on the image's left.
-  c.to_world = dmat4(glm::dvec4(-right, 0), glm::dvec4(glm::cross(right, forward), 0), glm::dvec4(forward, 0),
-                     glm::dvec4(origin, 1));
+  c.to_world = dmat4(glm::dvec4(-right, 0), glm::dvec4(glm::cross(right, forward), 0),
+                     glm::dvec4(forward, 0), glm::dvec4(origin, 1));
 }
 
 Scene make_scene(const std::string& integrator) {

@@ -10,8 +10,8 @@ namespace facet::test {
 /// Two triangles, counter-clockwise seen from the side of their normal.
 [[nodiscard]] Mesh make_quad(const vec3& a, const vec3& b, const vec3& c, const vec3& d);
 
-/// The box [-1, 1]^3, normals inwards, each face divided into n x n quads; faces share their border's
-/// vertices exactly.
+/// The box [-1, 1]^3, normals inwards, each face divided into n x n quads; faces share their
+/// border's vertices exactly.
 [[nodiscard]] Mesh make_room(int n);
 
 /// Unit sphere by subdividing an octahedron, normals outwards (or inwards), no vertex normals.
@@ -23,7 +23,8 @@ void add_mesh(Scene& scene, Mesh mesh, const Bsdf& bsdf, const Color& radiance =
 /// Moves every vertex to scale * p + offset.
 void transform(Mesh& mesh, float scale, const vec3& offset);
 
-/// A camera of a square image, looking from `origin` to `target`, box filter, unlimited clip planes.
+/// A camera of a square image, looking from `origin` to `target`, box filter, unlimited clip
+/// planes.
 void set_camera(Scene& scene, int size, double fov, const dvec3& origin, const dvec3& target,
                 const dvec3& up = {0, 1, 0});
 

@@ -1,4 +1,5 @@
-// What the acceleration structure is made of, on the host: pairs of triangles, and nodes of four children.
+// What the acceleration structure is made of, on the host: pairs of triangles, and nodes of four
+// children.
 #include "accel/bvh.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +83,9 @@ double share_joined(const Triangles& triangles) {
   return joined / static_cast<double>(triangles.size());
 }
 
-TEST(TrianglePairs, neighbours_in_the_file_are_joined) { EXPECT_EQ(share_joined(make_field(40)), 1); }
+TEST(TrianglePairs, neighbours_in_the_file_are_joined) {
+  EXPECT_EQ(share_joined(make_field(40)), 1);
+}
 
 TEST(TrianglePairs, neighbours_in_space_are_joined_whatever_their_order) {
   Triangles triangles = make_field(40);
@@ -120,7 +123,8 @@ TEST(Bvh, gives_back_every_triangle_at_its_place_in_the_order_of_its_vertices) {
     for (TriangleCorners& triangle : triangles) std::ranges::shuffle(triangle, engine);
     const Bvh bvh = build_bvh(triangles);
     ASSERT_EQ(bvh.places.size(), triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
     std::vector<std::uint32_t> places(bvh.places.begin(), bvh.places.end());
     std::ranges::sort(places);
     EXPECT_EQ(std::ranges::adjacent_find(places), places.end());
@@ -133,7 +137,8 @@ TEST(Bvh, of_coordinates_whose_sums_overflow_holds_every_triangle) {
     for (vec3& corner : triangle) corner *= 3e38F;
   }
   const Bvh bvh = build_bvh(triangles);
-  for (std::size_t i = 0; i < triangles.size(); ++i) EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    EXPECT_EQ(bvh.triangle(bvh.places[i]), triangles[i]);
 }
 
 BinaryBvh random_tree(std::uint32_t seed, std::uint32_t leaves) {
@@ -153,7 +158,8 @@ double area_of(const BinaryBvh& binary, const WideTree& wide, BinaryBvh::Node no
   if (BinaryBvh::is_leaf(node)) return 0;
   double area = binary.box(node).half_area();
   const Children children = wide.children_of(node);
-  for (std::uint32_t c = 0; c < children.count; ++c) area += area_of(binary, wide, children.nodes[c]);
+  for (std::uint32_t c = 0; c < children.count; ++c)
+    area += area_of(binary, wide, children.nodes[c]);
   return area;
 }
 
@@ -165,8 +171,8 @@ class EveryWay {
   double least_area(BinaryBvh::Node node) {
     if (BinaryBvh::is_leaf(node)) return 0;
     if (const auto known = known_.find(node); known != known_.end()) return known->second;
-    return known_[node] =
-               binary_.box(node).half_area() + least_of({binary_.first(node), binary_.second(node)});
+    return known_[node] = binary_.box(node).half_area() +
+                          least_of({binary_.first(node), binary_.second(node)});
   }
 
  private:

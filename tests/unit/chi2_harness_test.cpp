@@ -12,8 +12,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two lobes, in double: a Beckmann one by the NDF with probability p, else the cosine hemisphere. What `pdf`
-/// and `sample` believe may differ.
+/// Two lobes, in double: a Beckmann one by the NDF with probability p, else the cosine hemisphere.
+/// What `pdf` and `sample` believe may differ.
 struct TwoLobes {
   double alpha = 0.1;
   double sampled_alpha = 0.1;
@@ -65,7 +65,8 @@ class TwoLobesEvaluator : public BsdfEvaluator {
     if (n.lobe < t_.delta) return {vec3(0, 0, 1), -1, vec3(1)};
     const double lobe = (n.lobe - t_.delta) / (1 - t_.delta);
     const double azimuth = 2 * pi * n.v;
-    dvec3 wi(std::sqrt(n.u) * std::cos(azimuth), std::sqrt(n.u) * std::sin(azimuth), std::sqrt(1 - n.u));
+    dvec3 wi(std::sqrt(n.u) * std::cos(azimuth), std::sqrt(n.u) * std::sin(azimuth),
+             std::sqrt(1 - n.u));
     if (lobe < t_.sampled_p) {
       const double tangent = t_.sampled_alpha * std::sqrt(-std::log1p(-static_cast<double>(n.u)));
       const double c = 1 / std::sqrt(1 + tangent * tangent);
@@ -73,13 +74,15 @@ class TwoLobesEvaluator : public BsdfEvaluator {
       wi = 2 * glm::dot(wo, h) * h - wo;
     }
     if (wi.z <= 0) return {vec3(wi), 0, vec3(0)};
-    return {vec3(wi), static_cast<float>(pdf(wo, wi)), vec3(t_.reports_nan && n.u > 0.5F ? NAN : 1.0F)};
+    return {vec3(wi), static_cast<float>(pdf(wo, wi)),
+            vec3(t_.reports_nan && n.u > 0.5F ? NAN : 1.0F)};
   }
 
   TwoLobes t_;
 };
 
-Chi2Result test(const TwoLobes& t, const vec3& wo, std::uint32_t seed = 1, std::uint32_t samples = 400'000) {
+Chi2Result test(const TwoLobes& t, const vec3& wo, std::uint32_t seed = 1,
+                std::uint32_t samples = 400'000) {
   TwoLobesEvaluator evaluator(t);
   Chi2Options options;
   options.seed = seed;

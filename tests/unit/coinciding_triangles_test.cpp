@@ -29,7 +29,8 @@ TEST(CoincidingTriangles, ThemselvesAndThoseThatOverlap) {
   expect_coincide(lower, moved(lower, {0.3F, 0.1F, 0}), true);
   expect_coincide(lower, {vec3(-9, -9, 1), vec3(9, -9, 1), vec3(0, 9, 1)}, true);
   // A small one in the corner of a large one.
-  expect_coincide(lower, {vec3(0.98F, 0.01F, 1), vec3(0.99F, 0.01F, 1), vec3(0.99F, 0.02F, 1)}, true);
+  expect_coincide(lower, {vec3(0.98F, 0.01F, 1), vec3(0.99F, 0.01F, 1), vec3(0.99F, 0.02F, 1)},
+                  true);
 }
 
 TEST(CoincidingTriangles, NeighboursDoNot) {

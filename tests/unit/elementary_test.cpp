@@ -1,5 +1,5 @@
-// The kernels' elementary functions, on the device, against double precision. The bounds are the ones that
-// shaders/lib/elementary.glsl states.
+// The kernels' elementary functions, on the device, against double precision. The bounds are the
+// ones that shaders/lib/elementary.glsl states.
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -37,10 +37,10 @@ std::vector<std::uint32_t> read_words(const std::string& path) {
 Pairs evaluate(Function function, const Pairs& inputs) {
   const std::vector<vk::DescriptorType> types(2, vk::DescriptorType::eStorageBuffer);
   const gpu::Layout layout(device(), types, 4);
-  gpu::Buffer in(device(), inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
-                 "inputs");
-  const gpu::Buffer out(device(), inputs.size() * sizeof(glm::vec2), vk::BufferUsageFlagBits::eStorageBuffer,
-                        "outputs");
+  gpu::Buffer in(device(), inputs.size() * sizeof(glm::vec2),
+                 vk::BufferUsageFlagBits::eStorageBuffer, "inputs");
+  const gpu::Buffer out(device(), inputs.size() * sizeof(glm::vec2),
+                        vk::BufferUsageFlagBits::eStorageBuffer, "outputs");
   in.upload(inputs);
   const std::vector<gpu::Binding> bindings{{&in, nullptr}, {&out, nullptr}};
   const gpu::BindingSet set(device(), layout, bindings);
@@ -90,7 +90,8 @@ double largest_ulp(Function function, const Pairs& inputs, const Exact& exact) {
 }
 
 TEST(Elementary, exp) {
-  EXPECT_LE(largest_ulp(function_exp, sweep(-87, 88), [](double x, double) { return std::exp(x); }), 2);
+  EXPECT_LE(largest_ulp(function_exp, sweep(-87, 88), [](double x, double) { return std::exp(x); }),
+            2);
   EXPECT_EQ(evaluate(function_exp, {{-1000, 0}})[0].x, 0);
   EXPECT_EQ(evaluate(function_exp, {{0, 0}})[0].x, 1);
 }
@@ -121,7 +122,8 @@ TEST(Elementary, atan2) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(x.x) - std::numbers::pi;
     x = {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))};
   }
-  EXPECT_LE(largest_ulp(function_atan2, inputs, [](double y, double x) { return std::atan2(y, x); }), 3);
+  EXPECT_LE(
+      largest_ulp(function_atan2, inputs, [](double y, double x) { return std::atan2(y, x); }), 3);
   EXPECT_EQ(evaluate(function_atan2, {{0, 0}})[0].x, 0);
 }
 
@@ -171,7 +173,8 @@ TEST(Elementary, visible_slopes_invert_their_distribution) {
     for (int k = 0; k < 512; ++k)
       inputs.emplace_back(static_cast<float>(c), static_cast<float>((k + 0.37) / 512));
     for (int e = 2; e <= 25; ++e) inputs.emplace_back(static_cast<float>(c), std::ldexp(1.0F, -e));
-    for (int e = 2; e <= 24; ++e) inputs.emplace_back(static_cast<float>(c), 1 - std::ldexp(1.0F, -e));
+    for (int e = 2; e <= 24; ++e)
+      inputs.emplace_back(static_cast<float>(c), 1 - std::ldexp(1.0F, -e));
   }
   const Pairs outputs = evaluate(function_visible_slope, inputs);
   double largest = 0;

@@ -14,7 +14,8 @@ namespace {
 
 EnvironmentEmitter make_environment(int width, int height, const Color& color = Color(0)) {
   return {width, height,
-          std::vector<Color>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), color)};
+          std::vector<Color>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                             color)};
 }
 
 /// Values between 0 and 10 with black texels among them.
@@ -23,14 +24,16 @@ EnvironmentEmitter make_noise(int width, int height) {
   std::uint32_t state = 7;
   for (Color& texel : e.texels) {
     state = 1664525U * state + 1013904223U;
-    texel = (state >> 28U) < 4 ? Color(0) : Color(10.0F * static_cast<float>(state >> 8U) / 16777216.0F);
+    texel = (state >> 28U) < 4 ? Color(0)
+                               : Color(10.0F * static_cast<float>(state >> 8U) / 16777216.0F);
   }
   return e;
 }
 
 double cell_angle(const EnvironmentTable& table, const EnvironmentEmitter& e, int y) {
   const auto& row = table.rows[static_cast<std::size_t>(y)];
-  return 2 * std::numbers::pi / e.width * (static_cast<double>(row.y_end) - static_cast<double>(row.y_begin));
+  return 2 * std::numbers::pi / e.width *
+         (static_cast<double>(row.y_end) - static_cast<double>(row.y_begin));
 }
 
 double density(const EnvironmentTable& table, const EnvironmentEmitter& e, int x, int y) {
@@ -41,7 +44,8 @@ double density(const EnvironmentTable& table, const EnvironmentEmitter& e, int x
 float bilinear(const EnvironmentEmitter& e, double px, double py) {
   const auto texel = [&](int x, int y) {
     const int column = (x % e.width + e.width) % e.width;
-    return luminance(e.texels[static_cast<std::size_t>(std::clamp(y, 0, e.height - 1) * e.width + column)]);
+    return luminance(
+        e.texels[static_cast<std::size_t>(std::clamp(y, 0, e.height - 1) * e.width + column)]);
   };
   const double fx = std::floor(px);
   const double fy = std::floor(py);
@@ -76,7 +80,8 @@ TEST(EnvironmentTableTest, DensityIntegratesToOne) {
     const EnvironmentTable table = make_environment_table(e);
     double integral = 0;
     for (int y = 0; y < e.height; ++y) {
-      for (int x = 0; x < e.width; ++x) integral += density(table, e, x, y) * cell_angle(table, e, y);
+      for (int x = 0; x < e.width; ++x)
+        integral += density(table, e, x, y) * cell_angle(table, e, y);
     }
     EXPECT_NEAR(integral, 1, 1e-5) << e.width << "x" << e.height;
   }
@@ -87,7 +92,8 @@ TEST(EnvironmentTableTest, AConstantEnvironmentIsUniform) {
   const EnvironmentTable table = make_environment_table(e);
   EXPECT_NEAR(table.mean_luminance, luminance(Color(2, 3, 4)), 1e-6);
   for (int y = 0; y < e.height; ++y) {
-    for (int x = 0; x < e.width; ++x) EXPECT_NEAR(density(table, e, x, y), 0.25 / std::numbers::pi, 1e-7);
+    for (int x = 0; x < e.width; ++x)
+      EXPECT_NEAR(density(table, e, x, y), 0.25 / std::numbers::pi, 1e-7);
   }
 }
 
@@ -128,7 +134,8 @@ TEST(EnvironmentTableTest, BrighterTexelsAreChosenMore) {
   e.texels[2 * 8 + 3] = Color(100);
   const EnvironmentTable table = make_environment_table(e);
   EXPECT_GT(density(table, e, 3, 2), 10 * density(table, e, 0, 2));
-  EXPECT_GT(density(table, e, 2, 1), 10 * density(table, e, 0, 1)) << "interpolation spreads the light";
+  EXPECT_GT(density(table, e, 2, 1), 10 * density(table, e, 0, 1))
+      << "interpolation spreads the light";
   EXPECT_LT(density(table, e, 4, 2), density(table, e, 3, 2));
 }
 

@@ -29,7 +29,8 @@ Film draw(const std::function<double()>& sample, int samples_per_pixel = samples
 /// Of a film whose samples have mean 1: what the estimate is about.
 double true_relmse(const Film& film) {
   double sum = 0;
-  for (const PixelSums& pixel : film.pixels) sum += std::pow(pixel.values[0] / pixel.samples - 1, 2);
+  for (const PixelSums& pixel : film.pixels)
+    sum += std::pow(pixel.values[0] / pixel.samples - 1, 2);
   return sum / static_cast<double>(film.pixels.size()) / 1.0001;
 }
 
@@ -47,7 +48,8 @@ TEST(ErrorEstimate, LightThatFewPixelsHaveFoundIsNoticed) {
   std::mt19937 random(1);
   std::bernoulli_distribution found(1.0 / 3200);
   const Film film = draw([&] { return found(random) ? 3200.0 : 0.0; });
-  // One pixel in fifty has found it, and looks as if it had an error of 1; those that have not, of 0.
+  // One pixel in fifty has found it, and looks as if it had an error of 1; those that have not, of
+  // 0.
   EXPECT_LT(estimate_relmse(film), 0.03);
   EXPECT_GT(true_relmse(film), 40);
   const HeavyTails tails = find_heavy_tails(film);
@@ -80,7 +82,8 @@ TEST(ErrorEstimate, EdgesAreNoTails) {
   EXPECT_LT(tails.variance_share, 0.02);
 }
 
-/// k bright samples among n count as k, within the bias of the variance's estimate: k (n - 1) / (n - k).
+/// k bright samples among n count as k, within the bias of the variance's estimate: k (n - 1) / (n
+/// - k).
 TEST(ErrorEstimate, PixelsCountThatRestOnFewerThanFourSamples) {
   for (int bright = 1; bright <= 8; ++bright) {
     Film film = make_film(side, 1, {5, 7, 100, 100}, true);

@@ -88,7 +88,8 @@ TEST(FilterTableTest, QuantilesAreSymmetric) {
     const std::size_t n = table.intervals();
     for (std::size_t i = 0; i <= n; ++i) {
       // Where the filter crosses 0 the offset of a given mass is ill-conditioned.
-      ASSERT_NEAR(table.quantiles[i].x, -table.quantiles[n - i].x, 1e-3 * filter_radius(filter)) << i;
+      ASSERT_NEAR(table.quantiles[i].x, -table.quantiles[n - i].x, 1e-3 * filter_radius(filter))
+          << i;
     }
   }
 }
@@ -114,7 +115,8 @@ TEST(FilterTableTest, ValuesAreThoseOfTheFilter) {
   for (const Filter& filter : filters) {
     SCOPED_TRACE(filter.index());
     for (const vec2& q : make_filter_table(filter).quantiles)
-      ASSERT_NEAR(q.y, std::abs(filter_value(filter, static_cast<double>(q.x) * (1 - 1e-6))), 1e-4) << q.x;
+      ASSERT_NEAR(q.y, std::abs(filter_value(filter, static_cast<double>(q.x) * (1 - 1e-6))), 1e-4)
+          << q.x;
   }
 }
 

@@ -43,9 +43,13 @@ const std::map<std::string, Change>& changes_that_matter() {
       {"normal", [](Scene& s) { s.meshes[0].normals[1].x = 0.1F; }},
       {"texture coordinate", [](Scene& s) { s.meshes[0].texcoords[1].y = 0.9F; }},
       {"position index",
-       [](Scene& s) { std::swap(s.meshes[0].position_indices[0].x, s.meshes[0].position_indices[0].y); }},
+       [](Scene& s) {
+         std::swap(s.meshes[0].position_indices[0].x, s.meshes[0].position_indices[0].y);
+       }},
       {"order of triangles",
-       [](Scene& s) { std::swap(s.meshes[0].position_indices[0], s.meshes[0].position_indices[1]); }},
+       [](Scene& s) {
+         std::swap(s.meshes[0].position_indices[0], s.meshes[0].position_indices[1]);
+       }},
       {"normal index", [](Scene& s) { s.meshes[0].normal_indices[0].x = none; }},
       {"no normals", [](Scene& s) { s.meshes[0].normal_indices.clear(); }},
       {"texture coordinate index", [](Scene& s) { s.meshes[0].texcoord_indices[1].z = 1; }},
@@ -54,10 +58,14 @@ const std::map<std::string, Change>& changes_that_matter() {
       {"order of meshes", [](Scene& s) { std::swap(s.meshes[0], s.meshes[1]); }},
       {"one mesh less", [](Scene& s) { s.meshes.pop_back(); }},
       {"albedo", [](Scene& s) { std::get<bsdf::Diffuse>(s.bsdfs[0]).albedo.value.b = 0.4F; }},
-      {"conductor's r0", [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).r0.value.g = 0.4F; }},
-      {"conductor's alpha", [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).alpha = 0.3F; }},
-      {"substrate's kd", [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).kd.value.r = 0.4F; }},
-      {"substrate's alpha", [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).alpha = 0.3F; }},
+      {"conductor's r0",
+       [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).r0.value.g = 0.4F; }},
+      {"conductor's alpha",
+       [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).alpha = 0.3F; }},
+      {"substrate's kd",
+       [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).kd.value.r = 0.4F; }},
+      {"substrate's alpha",
+       [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).alpha = 0.3F; }},
       {"outer index", [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).ext_ior = 1.1F; }},
       {"inner index", [](Scene& s) { std::get<bsdf::RoughSubstrate>(s.bsdfs[2]).int_ior = 1.6F; }},
       {"blend's rd", [](Scene& s) { blend(s).rd.value.b = 0.4F; }},
@@ -65,14 +73,17 @@ const std::map<std::string, Change>& changes_that_matter() {
       {"texture of rd", [](Scene& s) { blend(s).rd.texture = 0; }},
       {"texture of rs", [](Scene& s) { blend(s).rs.texture = 0; }},
       {"texture of alpha", [](Scene& s) { blend(s).alpha.texture = 0; }},
-      {"another texture", [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).r0.texture = 0; }},
+      {"another texture",
+       [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).r0.texture = 0; }},
       {"distribution", [](Scene& s) { blend(s).options.distribution = bsdf::Distribution::ggx; }},
       {"masking", [](Scene& s) { blend(s).options.masking = Masking::exact; }},
-      {"multiscatter", [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).multiscatter = true; }},
+      {"multiscatter",
+       [](Scene& s) { std::get<bsdf::RoughConductor>(s.bsdfs[1]).multiscatter = true; }},
       {"type of bsdf", [](Scene& s) { s.bsdfs[1] = bsdf::Diffuse{Color(0.9F)}; }},
       {"emitter's mesh", [](Scene& s) { std::get<AreaEmitter>(s.emitters[0]).mesh = 1; }},
       {"radiance", [](Scene& s) { std::get<AreaEmitter>(s.emitters[0]).radiance.r = 4; }},
-      {"texture of the radiance", [](Scene& s) { std::get<AreaEmitter>(s.emitters[0]).texture = 0; }},
+      {"texture of the radiance",
+       [](Scene& s) { std::get<AreaEmitter>(s.emitters[0]).texture = 0; }},
       {"place of a light", [](Scene& s) { std::get<PointLight>(s.emitters[2]).position.y = 0; }},
       {"intensity", [](Scene& s) { std::get<PointLight>(s.emitters[2]).intensity.b = 0; }},
       {"checker's first", [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).first.r = 0; }},
@@ -140,7 +151,8 @@ TEST(Fingerprint, IsBlindToNamesAndToWhatTheRecordTells) {
       {"seed", [](Scene& s) { s.seed = 77; }},
       {"width", [](Scene& s) { s.camera.width += 1; }},
       {"height", [](Scene& s) { s.camera.height += 1; }},
-      {"integrator", [](Scene& s) { s.integrator.type = find_integrator_type("path_mats").value(); }},
+      {"integrator",
+       [](Scene& s) { s.integrator.type = find_integrator_type("path_mats").value(); }},
       {"depth", [](Scene& s) { s.integrator.max_depth = 3; }},
       {"heuristic", [](Scene& s) { s.integrator.heuristic = Heuristic::power; }},
       {"sampler", [](Scene& s) { s.sampler = Sampler::sobol; }},
@@ -154,7 +166,8 @@ TEST(Fingerprint, IsBlindToNamesAndToWhatTheRecordTells) {
 }
 
 TEST(Fingerprint, IsTheSameOnEveryMachine) {
-  // Whoever changes the hash changes this number, and parts rendered before no longer join those after.
+  // Whoever changes the hash changes this number, and parts rendered before no longer join those
+  // after.
   EXPECT_EQ(fingerprint(make_varied_scene()), 0x85c9c55283af1cf0U);
 }
 

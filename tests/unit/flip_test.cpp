@@ -1,5 +1,5 @@
-// FLIP against its definition: values derived by hand, an independent computation, and what must hold for any
-// image.
+// FLIP against its definition: values derived by hand, an independent computation, and what must
+// hold for any image.
 #include "compare/flip.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ Image pattern(int i, int j, int k, int m) {
   for (int c = 0; c < 3; ++c) {
     for (int y = 0; y < 10; ++y) {
       for (int x = 0; x < 12; ++x)
-        image.at(x, y, c) = static_cast<float>((i * x + j * y + k * c) % m) / static_cast<float>(m - 1);
+        image.at(x, y, c) =
+            static_cast<float>((i * x + j * y + k * c) % m) / static_cast<float>(m - 1);
     }
   }
   return image;
@@ -39,7 +40,8 @@ Image reference_image() { return pattern(53, 29, 71, 97); }
 template <typename Function>
 Image mapped(Image image, const Function& f) {
   for (int c = 0; c < 3; ++c)
-    std::transform(image.plane(c), image.plane(c) + image.width() * image.height(), image.plane(c), f);
+    std::transform(image.plane(c), image.plane(c) + image.width() * image.height(), image.plane(c),
+                   f);
   return image;
 }
 
@@ -62,23 +64,26 @@ TEST(FlipTest, EqualImagesDoNotDiffer) {
 }
 
 TEST(FlipTest, BlackAgainstWhite) {
-  // Constant images have no features and pass the filters unchanged. HyAB of black and white is dL = 100; the
-  // largest, of green (L* 87.7365, a* -86.1822, b* 83.1798) and blue (32.3009, 79.1939, -107.8554), each
-  // chroma times L*/100, is 55.4356 + |(-101.1937, 107.8175)| = 203.30; to the power 0.7: 25.1189 and 41.276.
-  // Beyond 0.4 * 41.276 = 16.510 the difference is 0.95 + 0.05 (25.1189 - 16.510) / (41.276 - 16.510) =
-  // 0.96738.
+  // Constant images have no features and pass the filters unchanged. HyAB of black and white is dL
+  // = 100; the largest, of green (L* 87.7365, a* -86.1822, b* 83.1798) and blue (32.3009, 79.1939,
+  // -107.8554), each chroma times L*/100, is 55.4356 + |(-101.1937, 107.8175)| = 203.30; to the
+  // power 0.7: 25.1189 and 41.276. Beyond 0.4 * 41.276 = 16.510 the difference is 0.95 + 0.05
+  // (25.1189 - 16.510) / (41.276 - 16.510) = 0.96738.
   const FlipResult result = flip(constant(8, 8, 0, 0, 0), constant(8, 8, 1, 1, 1));
   EXPECT_NEAR(result.mean, 0.96738, 1e-5);
   EXPECT_NEAR(result.largest, result.mean, 1e-6);
 }
 
 TEST(FlipTest, BlackAgainstGray) {
-  // L* of 0.5 is 116 cbrt(0.5) - 16 = 76.069; of 0.001, 116 (0.001 * 841 / 108 + 4 / 29) - 16 = 0.9033.
+  // L* of 0.5 is 116 cbrt(0.5) - 16 = 76.069; of 0.001, 116 (0.001 * 841 / 108 + 4 / 29) - 16 =
+  // 0.9033.
   const double bend = 0.4 * 41.2761;
   for (const auto& [value, lightness] : {std::pair(0.5F, 76.0693), std::pair(0.001F, 0.90330)}) {
     const double d = std::pow(lightness, 0.7);
-    const double expected = d < bend ? 0.95 * d / bend : 0.95 + 0.05 * (d - bend) / (41.2761 - bend);
-    EXPECT_NEAR(flip(constant(4, 4, 0, 0, 0), constant(4, 4, value, value, value)).mean, expected, 2e-5)
+    const double expected =
+        d < bend ? 0.95 * d / bend : 0.95 + 0.05 * (d - bend) / (41.2761 - bend);
+    EXPECT_NEAR(flip(constant(4, 4, 0, 0, 0), constant(4, 4, value, value, value)).mean, expected,
+                2e-5)
         << value;
   }
 }
@@ -88,7 +93,8 @@ TEST(FlipTest, GreenAgainstBlueIsTheLargestDifference) {
 }
 
 TEST(FlipTest, AgreesWithADirectComputation) {
-  // Expected values: a separate program that convolves with the papers' two-dimensional kernels in double.
+  // Expected values: a separate program that convolves with the papers' two-dimensional kernels in
+  // double.
   const FlipResult ldr = flip(test_image(), reference_image());
   EXPECT_NEAR(ldr.mean, 0.303461904, 2e-6);
   EXPECT_NEAR(ldr.map[0], 0.642899948, 5e-6);
@@ -126,7 +132,8 @@ TEST(FlipTest, TurnsWithTheImage) {
   const FlipResult upright = flip(test_image(), reference_image());
   const FlipResult turned = flip(transposed(test_image()), transposed(reference_image()));
   for (std::size_t y = 0; y < 10; ++y) {
-    for (std::size_t x = 0; x < 12; ++x) EXPECT_NEAR(upright.map[y * 12 + x], turned.map[x * 10 + y], 2e-6);
+    for (std::size_t x = 0; x < 12; ++x)
+      EXPECT_NEAR(upright.map[y * 12 + x], turned.map[x * 10 + y], 2e-6);
   }
 }
 
@@ -143,7 +150,8 @@ TEST(FlipTest, GrowsWithTheError) {
 TEST(FlipTest, FarAwayFineNoiseVanishes) {
   Image noise = constant(32, 32, 0.5F, 0.5F, 0.5F);
   for (int i = 0; i < 1024; ++i) {
-    for (int c = 0; c < 3; ++c) noise.at(i % 32, i / 32, c) += (i % 32 + i / 32) % 2 == 0 ? 0.2F : -0.2F;
+    for (int c = 0; c < 3; ++c)
+      noise.at(i % 32, i / 32, c) += (i % 32 + i / 32) % 2 == 0 ? 0.2F : -0.2F;
   }
   const Image gray = constant(32, 32, 0.5F, 0.5F, 0.5F);
   EXPECT_GT(flip(noise, gray, 10).mean, 4 * flip(noise, gray, 200).mean);
@@ -177,7 +185,8 @@ TEST(FlipTest, HdrHasNoScale) {
     };
     const HdrFlipResult result = hdr_flip(scaled(test_image()), scaled(reference_image()));
     EXPECT_NEAR(result.start_exposure, plain.start_exposure - stops, 1e-9);
-    for (std::size_t i = 0; i < plain.map.size(); ++i) EXPECT_NEAR(result.map[i], plain.map[i], 1e-6);
+    for (std::size_t i = 0; i < plain.map.size(); ++i)
+      EXPECT_NEAR(result.map[i], plain.map[i], 1e-6);
   }
 }
 
@@ -208,7 +217,9 @@ TEST(FlipTest, PixelsThatAreNotFiniteAreLeftOut) {
        {flip(image, reference), static_cast<FlipResult>(hdr_flip(image, reference))}) {
     EXPECT_TRUE(std::isnan(result.map[2 * 12 + 3]));
     EXPECT_TRUE(std::isnan(result.map[2 * 12 + 7]));
-    EXPECT_EQ(std::count_if(result.map.begin(), result.map.end(), [](float v) { return std::isnan(v); }), 2);
+    EXPECT_EQ(
+        std::count_if(result.map.begin(), result.map.end(), [](float v) { return std::isnan(v); }),
+        2);
     EXPECT_EQ(result.mean, 0) << "the neighbours do not suffer";
   }
   const Image none = constant(2, 2, NAN, 0, 0);
@@ -217,7 +228,8 @@ TEST(FlipTest, PixelsThatAreNotFiniteAreLeftOut) {
 
 TEST(FlipTest, SmallImagesAndSmallDistances) {
   for (const double pixels_per_degree : {1.0, 67.0, 1000.0}) {
-    const FlipResult pixel = flip(constant(1, 1, 0, 0, 0), constant(1, 1, 1, 1, 1), pixels_per_degree);
+    const FlipResult pixel =
+        flip(constant(1, 1, 0, 0, 0), constant(1, 1, 1, 1, 1), pixels_per_degree);
     EXPECT_NEAR(pixel.mean, 0.96738, 1e-5) << pixels_per_degree;
     expect_in_unit_range(flip(test_image(), reference_image(), pixels_per_degree));
   }

@@ -1,4 +1,5 @@
-// p-values against known ones (30 digits, by arbitrary-precision arithmetic) and against identities.
+// p-values against known ones (30 digits, by arbitrary-precision arithmetic) and against
+// identities.
 #include "statistics/hypothesis.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,8 @@ TEST(Hypothesis, student_has_its_known_tails) {
 }
 
 TEST(Hypothesis, student_tends_to_the_normal_distribution) {
-  for (double z = 0.1; z < 6; z += 0.1) expect_relative(student_p_value(z, 1e9), normal_p_value(z), 1e-6);
+  for (double z = 0.1; z < 6; z += 0.1)
+    expect_relative(student_p_value(z, 1e9), normal_p_value(z), 1e-6);
   expect_relative(normal_p_value(1.959963984540054), 0.05, 1e-12);
 }
 

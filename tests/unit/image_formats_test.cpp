@@ -34,7 +34,8 @@ class ImageFormatsTest : public ::testing::Test {
 };
 
 /// Of one colour, at the best quality.
-void write_jpeg(const std::filesystem::path& path, int width, int height, std::vector<std::uint8_t> color) {
+void write_jpeg(const std::filesystem::path& path, int width, int height,
+                std::vector<std::uint8_t> color) {
   std::FILE* out = std::fopen(path.c_str(), "wb");
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr errors{};
@@ -67,7 +68,8 @@ TEST_F(ImageFormatsTest, JpegIsReadAsCodes) {
   for (std::size_t i = 0; i < image.codes.size(); ++i)
     EXPECT_NEAR(image.codes[i], i % 3 == 0 ? 200 : i % 3 == 1 ? 100 : 50, 2);
   write_jpeg(folder_.file("gray.jpeg"), 2, 2, {188});
-  EXPECT_NEAR(read_image(folder_.file("gray.jpeg")).at(1, 1, 2), 0.5029F, 0.01F) << "decoded from sRGB";
+  EXPECT_NEAR(read_image(folder_.file("gray.jpeg")).at(1, 1, 2), 0.5029F, 0.01F)
+      << "decoded from sRGB";
   // Its bytes tell the format.
   std::filesystem::copy(folder_.file("a.jpg"), folder_.file("a.PNG"));
   EXPECT_EQ(read_image(folder_.file("a.PNG")).width(), 17);
@@ -132,7 +134,8 @@ TEST_F(ImageFormatsTest, HdrRunsAreExpanded) {
   }
   folder_.write("bad.hdr", hdr_header + "-Y 1 +X 8\n" + std::string("\x02\x02\x00\x08\xFF\x01", 6));
   expect_refusal("bad.hdr", {"a run leaves its row"});
-  folder_.write("zero.hdr", hdr_header + "-Y 1 +X 8\n" + std::string("\x02\x02\x00\x08\x00\x00\x00\x00", 8));
+  folder_.write("zero.hdr",
+                hdr_header + "-Y 1 +X 8\n" + std::string("\x02\x02\x00\x08\x00\x00\x00\x00", 8));
   expect_refusal("zero.hdr", {"a run leaves its row"});
 }
 
@@ -166,7 +169,8 @@ TEST_F(ImageFormatsTest, PartsOfAnExrAreLayers) {
       Imf::FrameBuffer buffer;
       for (auto c = headers[static_cast<std::size_t>(part)].channels().begin();
            c != headers[static_cast<std::size_t>(part)].channels().end(); ++c)
-        buffer.insert(c.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float), 0));
+        buffer.insert(c.name(),
+                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float), 0));
       Imf::OutputPart pixels(out, part);
       pixels.setFrameBuffer(buffer);
       pixels.writePixels(1);
@@ -191,7 +195,8 @@ TEST_F(ImageFormatsTest, SizesBeyondTheLimitAreRefusedBeforeTheyAreAllocated) {
   expect_message(refusal(0, 1, 1), "a.exr", {"0x1"});
   write_exr(folder_.file("a.exr"), Image(2, 2, {"R"}));
   std::string damaged = folder_.read("a.exr");
-  const std::size_t window = damaged.find("dataWindow") + std::string_view("dataWindow?box2i?????").size();
+  const std::size_t window =
+      damaged.find("dataWindow") + std::string_view("dataWindow?box2i?????").size();
   damaged.replace(window + 8, 4, std::string("\xFF\xFF\xFF\x00", 4));
   folder_.write("huge.exr", damaged);
   expect_refusal("huge.exr", {"16777216x2"});

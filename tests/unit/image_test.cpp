@@ -51,7 +51,8 @@ void expect_equal(const Image& a, const Image& b) {
     const int other = b.find_channel(a.channels()[c]);
     ASSERT_GE(other, 0) << a.channels()[c];
     for (int y = 0; y < a.height(); ++y) {
-      for (int x = 0; x < a.width(); ++x) EXPECT_EQ(a.at(x, y, static_cast<int>(c)), b.at(x, y, other));
+      for (int x = 0; x < a.width(); ++x)
+        EXPECT_EQ(a.at(x, y, static_cast<int>(c)), b.at(x, y, other));
     }
   }
 }
@@ -91,8 +92,9 @@ TEST_F(ImageTest, ExrKeepsEveryBit) {
 TEST_F(ImageTest, ExrKeepsWindowAndMetadata) {
   Image image = make_image(3, 2, {"R", "G", "B"});
   image.window = {5, 4, 16, 9};
-  image.metadata = {
-      {"facet.scene", "cbox.xml"}, {"facet.seed", "7"}, {"facet.a-name-of-more-than-31-characters", ""}};
+  image.metadata = {{"facet.scene", "cbox.xml"},
+                    {"facet.seed", "7"},
+                    {"facet.a-name-of-more-than-31-characters", ""}};
   write_exr(folder_.file("a.exr"), image);
   const Image back = read_exr(folder_.file("a.exr"));
   expect_equal(image, back);
@@ -109,8 +111,8 @@ TEST_F(ImageTest, UnreadableExrFilesAreNamed) {
   folder_.write("text.exr", "this is no image\n");
   folder_.write("empty.exr", "");
   for (const char* name : {"text.exr", "empty.exr"})
-    expect_message(input_error_of([&] { return read_exr(folder_.file(name)); }), folder_.file(name).string(),
-                   {"not a readable EXR"});
+    expect_message(input_error_of([&] { return read_exr(folder_.file(name)); }),
+                   folder_.file(name).string(), {"not a readable EXR"});
   const auto none = folder_.file("none.exr");
   expect_message(input_error_of([&] { return read_exr(none); }), none.string(), {"no such file"});
 }
@@ -194,7 +196,8 @@ TEST_F(ImageTest, UncommittedFilesVanish) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
-/// Writers that swallow exceptions, as OpenEXR's destructors do, must not commit what they could not write.
+/// Writers that swallow exceptions, as OpenEXR's destructors do, must not commit what they could
+/// not write.
 TEST_F(ImageTest, AFailedWriteIsNotForgotten) {
   folder_.write("a.txt", "old");
   {
@@ -211,9 +214,10 @@ TEST_F(ImageTest, AFailedWriteIsNotForgotten) {
 }
 
 TEST_F(ImageTest, StaleTemporaryFilesAreSwept) {
-  const auto stale = folder_.write(".facet-0123456789abcdef.part", "left by a program that was killed");
-  std::filesystem::last_write_time(stale,
-                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(2));
+  const auto stale =
+      folder_.write(".facet-0123456789abcdef.part", "left by a program that was killed");
+  std::filesystem::last_write_time(
+      stale, std::filesystem::file_time_type::clock::now() - std::chrono::hours(2));
   folder_.write(".facet-fedcba9876543210.part", "of a program that is writing");
   folder_.write(".facet-notes", "somebody's own");
   AtomicFile(folder_.file("a.txt")).commit();
@@ -228,8 +232,8 @@ TEST_F(ImageTest, LongNames) {
   EXPECT_NE(message.find("255 bytes"), std::string::npos) << message;
 }
 
-/// Wherever the disk fills up, to the last byte: OpenEXR completes a file in a destructor, which swallows the
-/// error.
+/// Wherever the disk fills up, to the last byte: OpenEXR completes a file in a destructor, which
+/// swallows the error.
 TEST_F(ImageTest, AFullDiskLeavesTheOldFile) {
   Image image(40, 30, {"R", "G", "B"});
   for (int i = 0; i < 1200; ++i) image.plane(0)[i] = static_cast<float>(i * i % 977);
@@ -250,11 +254,12 @@ TEST_F(ImageTest, AFullDiskLeavesTheOldFile) {
         const FullDisk full(limit);
         message = test::input_error_of(write);
       }
-      EXPECT_NE(message.find("cannot write: File too large"), std::string::npos) << limit << ": " << message;
+      EXPECT_NE(message.find("cannot write: File too large"), std::string::npos)
+          << limit << ": " << message;
       EXPECT_EQ(folder_.read(name), "old") << limit << " of " << size;
-      EXPECT_EQ(
-          std::ranges::count_if(folder_.names(), [](const std::string& n) { return n.ends_with(".part"); }),
-          0);
+      EXPECT_EQ(std::ranges::count_if(folder_.names(),
+                                      [](const std::string& n) { return n.ends_with(".part"); }),
+                0);
     }
     write();
     EXPECT_EQ(std::filesystem::file_size(folder_.file(name)), size);

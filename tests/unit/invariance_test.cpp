@@ -19,7 +19,8 @@ Scene busy_scene() {
   transform(coated, 0.35F, {0.5F, -0.65F, -0.1F});
   add_mesh(scene, coated, bsdf::RoughSubstrate{Color(0.3F, 0.2F, 0.7F), 0.1F});
   add_mesh(scene,
-           make_quad({-0.3F, 0.98F, -0.3F}, {0.3F, 0.98F, -0.3F}, {0.3F, 0.98F, 0.3F}, {-0.3F, 0.98F, 0.3F}),
+           make_quad({-0.3F, 0.98F, -0.3F}, {0.3F, 0.98F, -0.3F}, {0.3F, 0.98F, 0.3F},
+                     {-0.3F, 0.98F, 0.3F}),
            bsdf::Diffuse{}, Color(8));
   set_camera(scene, 40, 70, {0, 0, -0.95}, {0, -0.3, 0.5});
   scene.camera.filter = GaussianFilter{};
@@ -76,7 +77,8 @@ TEST(Invariance, crop_changes_no_bit) {
   const Rendered part = render(scene, settings);
   for (int y = 11; y < 24; ++y) {
     for (int x = 7; x < 29; ++x) {
-      for (int c = 0; c < 3; ++c) ASSERT_EQ(whole.image.at(x, y, c), part.image.at(x - 7, y - 11, c));
+      for (int c = 0; c < 3; ++c)
+        ASSERT_EQ(whole.image.at(x, y, c), part.image.at(x - 7, y - 11, c));
     }
   }
 }
@@ -93,15 +95,16 @@ TEST(Invariance, random_numbers_depend_on_the_seed) {
   EXPECT_LT(equal, 400);  // the light, seen directly, stays; little else does
 }
 
-/// The share of pixels that differ by more than 1 %; samples that take another branch by rounding make a few.
+/// The share of pixels that differ by more than 1 %; samples that take another branch by rounding
+/// make a few.
 double share_of_different_pixels(const Image& a, const Image& b) {
   int different = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       bool differs = false;
       for (int c = 0; c < 3; ++c)
-        differs =
-            differs || std::abs(a.at(x, y, c) - b.at(x, y, c)) > 0.01F * std::abs(a.at(x, y, c)) + 1e-6F;
+        differs = differs ||
+                  std::abs(a.at(x, y, c) - b.at(x, y, c)) > 0.01F * std::abs(a.at(x, y, c)) + 1e-6F;
       different += differs ? 1 : 0;
     }
   }

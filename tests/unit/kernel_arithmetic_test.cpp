@@ -1,6 +1,6 @@
-// The compiled kernels compute the same bits everywhere: no driver may reassociate or fuse a float operation,
-// no built-in function is of a precision that drivers choose, and the compiler has folded no expression of
-// float constants, which it would do in double.
+// The compiled kernels compute the same bits everywhere: no driver may reassociate or fuse a float
+// operation, no built-in function is of a precision that drivers choose, and the compiler has
+// folded no expression of float constants, which it would do in double.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -36,8 +36,8 @@ std::array<std::array<std::uint32_t, shared::SPEC_COUNT>, 2> example_constants()
   auto everything = little.with_everything().constants(shared::LARGEST_STACK_SIZE);
   for (const std::uint32_t flag :
        {shared::SPEC_EMITTER_SAMPLING, shared::SPEC_MATERIAL_SAMPLING, shared::SPEC_VISIBLE_NORMALS,
-        shared::SPEC_POWER_HEURISTIC, shared::SPEC_ROULETTE, shared::SPEC_VARIANCE, shared::SPEC_SAMPLER,
-        shared::SPEC_CAMERA_BOUNCE}) {
+        shared::SPEC_POWER_HEURISTIC, shared::SPEC_ROULETTE, shared::SPEC_VARIANCE,
+        shared::SPEC_SAMPLER, shared::SPEC_CAMERA_BOUNCE}) {
     everything[flag] = 1;
   }
   everything[shared::SPEC_INTEGRATOR] = 3;
@@ -65,7 +65,8 @@ TEST(KernelArithmetic, every_float_operation_is_decorated) {
     std::set<std::uint32_t> operations;
     for_each_instruction(words, [&](std::uint32_t opcode, Operands o) {
       const bool composite = opcode == op_type_vector || opcode == op_type_matrix;
-      if (opcode == op_type_float || (composite && float_types.contains(o[1]))) float_types.insert(o[0]);
+      if (opcode == op_type_float || (composite && float_types.contains(o[1])))
+        float_types.insert(o[0]);
       if (opcode == op_decorate && o[1] == decoration_no_contraction) decorated.insert(o[0]);
       if (is_arithmetic(opcode) && float_types.contains(o[0])) operations.insert(o[1]);
     });
@@ -76,8 +77,8 @@ TEST(KernelArithmetic, every_float_operation_is_decorated) {
 }
 
 TEST(KernelArithmetic, kernels_use_no_builtin_transcendental_function) {
-  // Of GLSL.std.450: what is exact. FAbs, SAbs, Floor, Sqrt, FMin, UMin, SMin, FMax, UMax, SMax, SClamp,
-  // UClamp
+  // Of GLSL.std.450: what is exact. FAbs, SAbs, Floor, Sqrt, FMin, UMin, SMin, FMax, UMax, SMax,
+  // SClamp, UClamp
   const std::set<std::uint32_t> exact{4, 5, 8, 31, 37, 38, 39, 40, 41, 42, 44, 45};
   for_each_form([&](const std::string& kernel, Operands words) {
     for_each_instruction(words, [&](std::uint32_t opcode, Operands o) {
@@ -132,7 +133,8 @@ TEST(KernelArithmetic, float_constants_stand_in_the_source) {
       if (opcode == op_type_float) float_types.insert(o[0]);
       if (opcode != op_constant || !float_types.contains(o[0])) return;
       const float value = std::abs(std::bit_cast<float>(o[2]));
-      EXPECT_TRUE(known.contains(value)) << kernel << ": " << value << " was computed by the compiler";
+      EXPECT_TRUE(known.contains(value))
+          << kernel << ": " << value << " was computed by the compiler";
     });
   });
 }

@@ -21,14 +21,16 @@ struct Divided {
   LeafBoxes boxes;
 
   explicit Divided(Triangles t, std::size_t most_copies = 10'000'000)
-      : triangles(std::move(t)), pairs(pair_triangles(triangles)), whole(make_leaf_boxes(pairs, triangles)) {
+      : triangles(std::move(t)),
+        pairs(pair_triangles(triangles)),
+        whole(make_leaf_boxes(pairs, triangles)) {
     boxes = divide_crowded(BinaryBvh(whole.primitives), pairs, triangles, most_copies);
   }
 
   /// How many boxes hold a point.
   static std::size_t count_at(const LeafBoxes& boxes, const vec3& point) {
-    return static_cast<std::size_t>(
-        std::count_if(boxes.primitives.begin(), boxes.primitives.end(), [&](const BvhPrimitive& primitive) {
+    return static_cast<std::size_t>(std::count_if(
+        boxes.primitives.begin(), boxes.primitives.end(), [&](const BvhPrimitive& primitive) {
           const Box box = primitive.box().box();
           return glm::all(glm::lessThanEqual(box.lower, point)) &&
                  glm::all(glm::lessThanEqual(point, box.upper));
@@ -54,7 +56,8 @@ Triangles make_urchin(int count) {
   Triangles triangles;
   for (int i = 0; i < count; ++i) {
     const vec3 tip = glm::normalize(vec3(normal(engine), normal(engine), normal(engine)));
-    triangles.push_back({vec3(0), tip, tip + 1e-3F * vec3(normal(engine), normal(engine), normal(engine))});
+    triangles.push_back(
+        {vec3(0), tip, tip + 1e-3F * vec3(normal(engine), normal(engine), normal(engine))});
   }
   return triangles;
 }
@@ -93,7 +96,8 @@ TEST(LeafBoxes, CoverEveryPointOfEveryTriangle) {
           // The corners first.
           const double u = k < 3 ? std::min(k, 1) : std::sqrt(uniform(engine));
           const double v = k < 3 ? k / 2 : uniform(engine);
-          const vec3 point(dvec3(triangles[t][0]) * (1 - u) + dvec3(triangles[t][1]) * (u * (1 - v)) +
+          const vec3 point(dvec3(triangles[t][0]) * (1 - u) +
+                           dvec3(triangles[t][1]) * (u * (1 - v)) +
                            dvec3(triangles[t][2]) * (u * v));
           EXPECT_TRUE(std::any_of(boxes[i].begin(), boxes[i].end(),
                                   [&](const Box& box) {
@@ -111,7 +115,8 @@ TEST(LeafBoxes, OfOrdinaryMeshesAndOfWhatCannotBeDividedStayWhole) {
   Triangles field;
   for (int i = 0; i < 200; ++i) {
     for (int k = 0; k < 200; ++k) {
-      const vec3 p(static_cast<float>(i), static_cast<float>(k), std::sin(0.1F * static_cast<float>(i * k)));
+      const vec3 p(static_cast<float>(i), static_cast<float>(k),
+                   std::sin(0.1F * static_cast<float>(i * k)));
       field.push_back({p, p + vec3(1, 0, 0), p + vec3(0, 1, 0)});
     }
   }
@@ -138,7 +143,8 @@ TEST(LeafBoxes, AreTheSameEveryTime) {
   ASSERT_EQ(first.boxes.copies, second.boxes.copies);
   for (std::size_t i = 0; i < first.boxes.primitives.size(); ++i) {
     EXPECT_EQ(first.boxes.primitives[i].index(), second.boxes.primitives[i].index());
-    EXPECT_EQ(first.boxes.primitives[i].box().box().lower, second.boxes.primitives[i].box().box().lower);
+    EXPECT_EQ(first.boxes.primitives[i].box().box().lower,
+              second.boxes.primitives[i].box().box().lower);
   }
 }
 

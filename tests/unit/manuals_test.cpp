@@ -15,7 +15,8 @@ namespace {
 TEST(Manuals, every_plugin_has_one_of_its_kind) {
   for (const PluginInfo& plugin : plugins()) {
     int count = 0;
-    for (const Manual& m : manuals()) count += m.kind == plugin.tag && m.is_about(plugin.type) ? 1 : 0;
+    for (const Manual& m : manuals())
+      count += m.kind == plugin.tag && m.is_about(plugin.type) ? 1 : 0;
     EXPECT_EQ(count, 1) << plugin.tag << ' ' << plugin.type;
   }
 }
@@ -25,7 +26,8 @@ TEST(Manuals, every_manual_is_about_plugins) {
   for (const PluginInfo& plugin : plugins()) types.insert(plugin.type);
   for (const Manual& m : manuals()) {
     EXPECT_FALSE(split_list(m.names).empty());
-    for (const std::string_view name : split_list(m.names)) EXPECT_TRUE(types.contains(name)) << name;
+    for (const std::string_view name : split_list(m.names))
+      EXPECT_TRUE(types.contains(name)) << name;
   }
 }
 

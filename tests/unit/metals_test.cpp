@@ -34,7 +34,9 @@ constexpr std::array<std::array<double, 3>, 3> to_rec709{{{3.2404542, -1.5371385
                                                           {-0.9692660, 1.8760108, 0.0415560},
                                                           {0.0556434, -0.2040259, 1.0572252}}};
 
-double reflectance(double n, double k) { return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k); }
+double reflectance(double n, double k) {
+  return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+}
 
 double at(const MetalSpectrum& metal, const std::vector<double>& values, double w) {
   std::size_t i = 1;
@@ -53,7 +55,8 @@ dvec3 color_of(const MetalSpectrum& metal, const Function& f) {
     const double value = f(at(metal, metal.n, w), at(metal, metal.k, w));
     for (int channel = 0; channel < 3; ++channel) {
       const auto& row = to_rec709.at(static_cast<std::size_t>(channel));
-      const double weight = row[0] * observer[i][0] + row[1] * observer[i][1] + row[2] * observer[i][2];
+      const double weight =
+          row[0] * observer[i][0] + row[1] * observer[i][1] + row[2] * observer[i][2];
       sum[channel] += weight * value;
       white[channel] += weight;
     }
@@ -116,7 +119,8 @@ TEST(Metals, SpectraCoverWhatIsVisibleInOrder) {
 class ConductorTest : public ::testing::Test {
  protected:
   bsdf::RoughConductor read(const std::string& content) {
-    const XmlDocument xml(folder_.write("c.xml", "<bsdf type=\"roughconductor\">\n" + content + "\n</bsdf>"));
+    const XmlDocument xml(
+        folder_.write("c.xml", "<bsdf type=\"roughconductor\">\n" + content + "\n</bsdf>"));
     PropertyReader properties(xml, xml.root(), [](const pugi::xml_node&, float) { return 0U; });
     const auto conductor = bsdf::RoughConductor::read(properties);
     Diagnostics diagnostics;

@@ -123,7 +123,8 @@ TEST(MetricsTest, WithoutAFinitePixelThereIsNoError) {
   const ErrorMetrics m = measure_errors(gray(1, 1, {NAN}), gray(1, 1, {NAN}), 0);
   EXPECT_EQ(m.nonfinite, 1U);
   EXPECT_EQ(m.identical, 1U) << "a NaN has bits too";
-  for (const double error : {m.max_abs, m.rmse, m.relmse, m.relmse_trimmed}) EXPECT_TRUE(std::isnan(error));
+  for (const double error : {m.max_abs, m.rmse, m.relmse, m.relmse_trimmed})
+    EXPECT_TRUE(std::isnan(error));
 }
 
 TEST(MetricsTest, ABlackReferenceLeavesNoRoom) {

@@ -15,8 +15,9 @@ using test::square;
 class MtlTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("mesh.obj", "mtllib mesh.mtl\n" + square +
-                                  "vt 0 0\nusemtl red\nf 1/1 2/1 3/1\nusemtl mapped\nf 1/1 3/1 4/1\n");
+    folder_.write("mesh.obj",
+                  "mtllib mesh.mtl\n" + square +
+                      "vt 0 0\nusemtl red\nf 1/1 2/1 3/1\nusemtl mapped\nf 1/1 3/1 4/1\n");
     std::filesystem::create_directory(folder_.file("maps"));
     Image image(1, 1, {"R", "G", "B"});
     image.at(0, 0, 1) = 0.25F;
@@ -28,11 +29,12 @@ class MtlTest : public ::testing::Test {
   }
   Scene read_scene_with(const std::string& children) {
     diagnostics_ = Diagnostics();
-    return read_scene(folder_.write("scene.xml",
-                                    "<scene><camera type=\"perspective\"/>\n<mesh type=\"obj\"><string "
-                                    "name=\"filename\" value=\"mesh.obj\"/>" +
-                                        children + "</mesh></scene>"),
-                      diagnostics_);
+    return read_scene(
+        folder_.write("scene.xml",
+                      "<scene><camera type=\"perspective\"/>\n<mesh type=\"obj\"><string "
+                      "name=\"filename\" value=\"mesh.obj\"/>" +
+                          children + "</mesh></scene>"),
+        diagnostics_);
   }
   static Color albedo(const Scene& scene, std::size_t mesh) {
     return std::get<bsdf::Diffuse>(scene.bsdfs.at(scene.meshes.at(mesh).bsdf)).albedo.value;
@@ -53,10 +55,10 @@ class MtlTest : public ::testing::Test {
 
 TEST_F(MtlTest, ColoursAndTexturesMakeDiffuseMeshes) {
   for (const char* map : {"maps/map.png", "maps\\map.png", "-blendu on maps/map.png"}) {
-    const Scene scene =
-        read(fmt::format("# by hand\r\nnewmtl  red \r\nKd 0.8 .25 0\r\nKs 1 1 1\r\n\r\nnewmtl mapped\r\n"
-                         "map_Kd {}\r\n",
-                         map));
+    const Scene scene = read(
+        fmt::format("# by hand\r\nnewmtl  red \r\nKd 0.8 .25 0\r\nKs 1 1 1\r\n\r\nnewmtl mapped\r\n"
+                    "map_Kd {}\r\n",
+                    map));
     ASSERT_EQ(scene.meshes.size(), 2U);
     EXPECT_EQ(albedo(scene, 0), Color(0.8F, 0.25F, 0));
     const auto& mapped = std::get<bsdf::Diffuse>(scene.bsdfs.at(scene.meshes.at(1).bsdf));
@@ -86,8 +88,9 @@ TEST_F(MtlTest, ABsdfCountsMore) {
 }
 
 TEST_F(MtlTest, EveryPartShinesWhereTheMeshDoes) {
-  const Scene scene = read("newmtl red\nKd 1 0 0\n",
-                           "<emitter type=\"area\"><color name=\"radiance\" value=\"3\"/></emitter>");
+  const Scene scene =
+      read("newmtl red\nKd 1 0 0\n",
+           "<emitter type=\"area\"><color name=\"radiance\" value=\"3\"/></emitter>");
   ASSERT_EQ(scene.meshes.size(), 2U);
   ASSERT_EQ(scene.emitters.size(), 2U);
   for (std::uint32_t i = 0; i < 2; ++i) {
@@ -105,13 +108,15 @@ TEST_F(MtlTest, WhatIsMissingDrawsAWarning) {
   expect_warnings({{"materials are missing", "Git LFS"}});
   EXPECT_EQ(albedo(read("newmtl green\nKd 0 1 0\n"), 0), Color(0.5F));
   expect_warnings({{"no materials file defines \"red\" and 1 more"}, {"no <bsdf>"}});
-  EXPECT_EQ(albedo(read("newmtl red\nnewmtl mapped\nKd 0 1 0\nmap_Kd none.png\n"), 1), Color(0, 1, 0));
+  EXPECT_EQ(albedo(read("newmtl red\nnewmtl mapped\nKd 0 1 0\nmap_Kd none.png\n"), 1),
+            Color(0, 1, 0));
   expect_warnings(
       {{"material \"mapped\"", "none.png", "no such file", "its colour stands in"}, {"no <bsdf>"}});
 }
 
 TEST_F(MtlTest, ColoursAreMovedIntoRange) {
-  EXPECT_EQ(albedo(read("newmtl red\nKd 2 -1 0.5\nnewmtl mapped\nKd 0 0 0\n"), 0), Color(1, 0, 0.5F));
+  EXPECT_EQ(albedo(read("newmtl red\nKd 2 -1 0.5\nnewmtl mapped\nKd 0 0 0\n"), 0),
+            Color(1, 0, 0.5F));
   expect_warnings({{"mesh.mtl", "\"red\"", "Kd", "2"}, {"mesh.mtl", "-1"}, {"no <bsdf>"}});
 }
 

@@ -111,7 +111,8 @@ TEST_F(ObjDialectsTest, WhatIsNoNumberMattersWhereItIsUsed) {
 }
 
 TEST_F(ObjDialectsTest, ColoursThatAreNoNumbersDrawOneWarning) {
-  const Mesh mesh = read("v 0 0 0 red\nv 1 0 0 nan nan nan\nv 1 1 0 1 .5 .25\nvt 0 0 none\nf 1/1 2/1 3/1\n");
+  const Mesh mesh =
+      read("v 0 0 0 red\nv 1 0 0 nan nan nan\nv 1 1 0 1 .5 .25\nvt 0 0 none\nf 1/1 2/1 3/1\n");
   EXPECT_EQ(mesh.position_indices.size(), 1U);
   expect_one_warning({"5 words", "not used"});
 }
@@ -121,7 +122,8 @@ TEST_F(ObjDialectsTest, FilesOfOtherKindsAreNamed) {
   expect_refusal("\n \n", {"blanks"});
   expect_refusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
                  {"Git LFS pointer", "git lfs pull"});
-  expect_refusal("<!DOCTYPE html>\n<html><head><title>x</title></head></html>\n", {"web page", "download"});
+  expect_refusal("<!DOCTYPE html>\n<html><head><title>x</title></head></html>\n",
+                 {"web page", "download"});
   expect_refusal("\n\n  <HTML lang=en>\n", {"web page"});
   expect_refusal("ply\nformat ascii 1.0\nelement vertex 8\n", {"PLY", "convert"});
   expect_refusal("solid cube\nfacet normal 0 0 1\n", {"STL"});
@@ -146,20 +148,23 @@ TEST_F(ObjDialectsTest, AHintTellsWhichFileWasMeant) {
   const std::string found = "there is \"" + folder_.file("Meshes/Bunny.obj").string() + "\"";
   expect_message(message_for("meshes/bunny.OBJ"), "scene.xml:7", {"no such file", found.c_str()});
   expect_message(message_for("Meshes\\Bunny.obj"), "scene.xml:7", {"no such file", found.c_str()});
-  expect_message(message_for("C:\\Bunny.obj"), "scene.xml:7", {"no such file", "separated by \"/\""});
+  expect_message(message_for("C:\\Bunny.obj"), "scene.xml:7",
+                 {"no such file", "separated by \"/\""});
   EXPECT_EQ(message_for("Meshes/Hare.obj").find("there is"), std::string::npos);
 }
 
 TEST_F(ObjDialectsTest, MaterialsMakeParts) {
-  const ObjParts parts = read_parts(
-      "mtllib a b.mtl\nmtllib c.mtl \n" + square + "v 0 0 1\nvn 0 0 1\nvn 0 1 0\nf 1 2 3\n" +
-      "usemtl  red one \nf 5//2 2//2 3//2\nusemtl blue\nf 1 3 4\nusemtl red one\nf 3 4 5\nusemtl unused\n");
+  const ObjParts parts = read_parts("mtllib a b.mtl\nmtllib c.mtl \n" + square +
+                                    "v 0 0 1\nvn 0 0 1\nvn 0 1 0\nf 1 2 3\n" +
+                                    "usemtl  red one \nf 5//2 2//2 3//2\nusemtl blue\nf 1 3 "
+                                    "4\nusemtl red one\nf 3 4 5\nusemtl unused\n");
   EXPECT_EQ(parts.material_files, (std::vector<std::string>{"a b.mtl", "c.mtl"}));
   EXPECT_EQ(parts.materials, (std::vector<std::string>{"", "red one", "blue"}));
   ASSERT_EQ(parts.meshes.size(), 3U);
   EXPECT_EQ(parts.meshes[0].positions.size(), 3U);
   EXPECT_TRUE(parts.meshes[0].normals.empty());
-  EXPECT_EQ(parts.meshes[1].positions, (std::vector<vec3>{{0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(parts.meshes[1].positions,
+            (std::vector<vec3>{{0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(parts.meshes[1].position_indices, (std::vector<uvec3>{{0, 1, 2}, {2, 3, 0}}));
   EXPECT_EQ(parts.meshes[1].normals, (std::vector<vec3>{{0, 1, 0}}));
   ASSERT_EQ(parts.meshes[1].normal_indices.size(), 2U);

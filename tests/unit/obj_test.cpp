@@ -81,7 +81,8 @@ TEST_F(ObjTest, NormalsOfSomeCornersAreNone) {
 
 TEST_F(ObjTest, GroupsMaterialsAndLineEndingsDoNotMatter) {
   const std::string text =
-      "mtllib none.mtl\r\no a\r\nv 0 0 0\r\nv\t1 0 0\r\nv 0 1 0 1.0\r\ng b\r\nusemtl c\r\ns 1\r\nf 1 2 3";
+      "mtllib none.mtl\r\no a\r\nv 0 0 0\r\nv\t1 0 0\r\nv 0 1 0 1.0\r\ng b\r\nusemtl c\r\ns 1\r\nf "
+      "1 2 3";
   const Mesh mesh = read(text);
   EXPECT_EQ(mesh.position_indices, (std::vector<uvec3>{{0, 1, 2}}));
   EXPECT_EQ(mesh.positions.at(1), vec3(1, 0, 0));
@@ -104,7 +105,8 @@ TEST_F(ObjTest, NormalsAreTransformedByTheInverseTranspose) {
 }
 
 TEST_F(ObjTest, MirroringMirrorsNormals) {
-  const Mesh mesh = read(square + "vn 1 0 0\nf 1//1 2//1 3//1\n", glm::scale(dmat4(1), dvec3(-1, 1, 1)));
+  const Mesh mesh =
+      read(square + "vn 1 0 0\nf 1//1 2//1 3//1\n", glm::scale(dmat4(1), dvec3(-1, 1, 1)));
   EXPECT_EQ(mesh.normals.at(0), vec3(-1, 0, 0));
 }
 
@@ -177,7 +179,8 @@ TEST_F(ObjTest, MalformedFacesNameTheLine) {
 TEST_F(ObjTest, MissingFilesNameThePlaceInTheScene) {
   const SourceLocation where{"scene.xml", 7};
   for (const auto& path : {folder_.file("none.obj"), folder_.path()}) {
-    const std::string message = input_error_of([&] { return read_obj(path, dmat4(1), where, diagnostics_); });
+    const std::string message =
+        input_error_of([&] { return read_obj(path, dmat4(1), where, diagnostics_); });
     expect_message(message, "scene.xml:7", {"cannot read", path.c_str()});
   }
 }

@@ -1,6 +1,6 @@
-// Where things lie in an image, from first principles: what kernels and reference have in common, parity
-// cannot see. Everything expected here is worked out in this file, from Nori's conventions, not from facet's
-// code.
+// Where things lie in an image, from first principles: what kernels and reference have in common,
+// parity cannot see. Everything expected here is worked out in this file, from Nori's conventions,
+// not from facet's code.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -57,16 +57,17 @@ class Orientation : public ::testing::Test {
  protected:
   [[nodiscard]] Scene read(const std::string& content) const {
     Diagnostics diagnostics;
-    return read_scene(
-        folder_.write("scene.xml", "<scene><integrator type=\"direct_mats\"/>" + content + "</scene>"),
-        diagnostics);
+    return read_scene(folder_.write("scene.xml", "<scene><integrator type=\"direct_mats\"/>" +
+                                                     content + "</scene>"),
+                      diagnostics);
   }
   [[nodiscard]] Scene squares_seen_by(const std::string& camera_text) const {
     std::string meshes;
     for (const Square& s : squares) {
       const std::string name = fmt::format("{}.obj", s.color.r + 2 * s.color.g + 3 * s.color.b);
-      folder_.write(name, fmt::format("v {0} {1} 0\nv {0} {3} 0\nv {2} {3} 0\nv {2} {1} 0\nf 1 2 3 4\n",
-                                      s.x - 0.5, s.y - 0.5, s.x + 0.5, s.y + 0.5));
+      folder_.write(name,
+                    fmt::format("v {0} {1} 0\nv {0} {3} 0\nv {2} {3} 0\nv {2} {1} 0\nf 1 2 3 4\n",
+                                s.x - 0.5, s.y - 0.5, s.x + 0.5, s.y + 0.5));
       meshes += fmt::format(
           "<mesh type=\"obj\"><string name=\"filename\" value=\"{}\"/><emitter type=\"area\">"
           "<color name=\"radiance\" value=\"{} {} {}\"/></emitter></mesh>",
@@ -82,8 +83,8 @@ constexpr int width = 60;
 constexpr int height = 44;
 constexpr double fov = 50;
 
-/// What a viewer sees: from `eye`, looking along `ahead`, with `right` to the right of the image and `up` to
-/// its top.
+/// What a viewer sees: from `eye`, looking along `ahead`, with `right` to the right of the image
+/// and `up` to its top.
 void expect_view(const Scene& scene, const dvec3& eye, const dvec3& ahead, const dvec3& right,
                  const dvec3& up) {
   const double tangent = std::tan(fov * std::numbers::pi / 360);
@@ -113,26 +114,27 @@ void expect_view(const Scene& scene, const dvec3& eye, const dvec3& ahead, const
 
 // Facing +z with y up, a person's right hand points to -x.
 TEST_F(Orientation, a_bare_lookat_shows_the_world_unmirrored) {
-  const Scene scene = squares_seen_by(
-      camera(width, height, fov, "<lookat origin=\"0.1 0.2 -5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
+  const Scene scene = squares_seen_by(camera(
+      width, height, fov, "<lookat origin=\"0.1 0.2 -5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
   expect_view(scene, {0.1, 0.2, -5}, {0, 0, 1}, {-1, 0, 0}, {0, 1, 0});
 }
 
 TEST_F(Orientation, no_transform_at_all_looks_along_z_with_x_to_the_left) {
-  const Scene scene = squares_seen_by(camera(width, height, fov, "<translate value=\"0.1 0.2 -5\"/>"));
+  const Scene scene =
+      squares_seen_by(camera(width, height, fov, "<translate value=\"0.1 0.2 -5\"/>"));
   expect_view(scene, {0.1, 0.2, -5}, {0, 0, 1}, {-1, 0, 0}, {0, 1, 0});
 }
 
 TEST_F(Orientation, scale_minus_1_mirrors) {
-  const Scene scene = squares_seen_by(
-      camera(width, height, fov,
-             "<scale value=\"-1 1 1\"/><lookat origin=\"0.1 0.2 -5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
+  const Scene scene = squares_seen_by(camera(width, height, fov,
+                                             "<scale value=\"-1 1 1\"/><lookat origin=\"0.1 0.2 "
+                                             "-5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
   expect_view(scene, {0.1, 0.2, -5}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
 }
 
 TEST_F(Orientation, a_slanted_lookat_with_a_slanted_up) {
-  const Scene scene = squares_seen_by(
-      camera(width, height, fov, "<lookat origin=\"1 2 -5\" target=\"0.2 0.1 0\" up=\"0.3 1 0.1\"/>"));
+  const Scene scene = squares_seen_by(camera(
+      width, height, fov, "<lookat origin=\"1 2 -5\" target=\"0.2 0.1 0\" up=\"0.3 1 0.1\"/>"));
   const dvec3 eye(1, 2, -5);
   const dvec3 ahead = glm::normalize(dvec3(0.2, 0.1, 0) - eye);
   const dvec3 right = glm::normalize(glm::cross(ahead, dvec3(0.3, 1, 0.1)));
@@ -141,8 +143,8 @@ TEST_F(Orientation, a_slanted_lookat_with_a_slanted_up) {
 
 // A quarter turn about z takes x to y and y to -x: the camera's left is the world's up.
 TEST_F(Orientation, rotate_turns_the_camera_as_a_right_hand_does) {
-  const Scene scene = squares_seen_by(
-      camera(width, height, fov, "<rotate angle=\"90\" axis=\"0 0 1\"/><translate value=\"0 0 -5\"/>"));
+  const Scene scene = squares_seen_by(camera(
+      width, height, fov, "<rotate angle=\"90\" axis=\"0 0 1\"/><translate value=\"0 0 -5\"/>"));
   expect_view(scene, {0, 0, -5}, {0, 0, 1}, {0, -1, 0}, {-1, 0, 0});
 }
 
@@ -153,8 +155,8 @@ TEST_F(Orientation, a_matrix_has_the_cameras_axes_as_columns) {
 }
 
 TEST_F(Orientation, a_crop_counts_from_the_upper_left_corner) {
-  const Scene scene = squares_seen_by(
-      camera(width, height, fov, "<lookat origin=\"0.1 0.2 -5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
+  const Scene scene = squares_seen_by(camera(
+      width, height, fov, "<lookat origin=\"0.1 0.2 -5\" target=\"0.1 0.2 0\" up=\"0 1 0\"/>"));
   RenderSettings settings = whole_image(scene, 1);
   const auto whole = images_of(scene, settings);
   settings.crop = {7, 5, 41, 30};
@@ -163,7 +165,8 @@ TEST_F(Orientation, a_crop_counts_from_the_upper_left_corner) {
     ASSERT_EQ(part.at(i).width(), 34);
     ASSERT_EQ(part.at(i).height(), 25);
     for (int y = 0; y < 25; ++y) {
-      for (int x = 0; x < 34; ++x) EXPECT_EQ(pixel(part.at(i), x, y), pixel(whole.at(i), x + 7, y + 5));
+      for (int x = 0; x < 34; ++x)
+        EXPECT_EQ(pixel(part.at(i), x, y), pixel(whole.at(i), x + 7, y + 5));
     }
   }
 }
@@ -201,23 +204,27 @@ TEST_F(Orientation, an_environment_lies_around_the_scene_as_in_nori) {
   write_exr(folder_.file("sky.exr"), map);
   folder_.write("speck.obj", "v 0 9 0\nv 0.001 9 0\nv 0 9 0.001\nf 1 2 3\n");
   const std::string sky =
-      "<emitter type=\"environment\"><string name=\"filename\" value=\"sky.exr\"/><string name=\"encoding\" "
-      "value=\"linear\"/></emitter><mesh type=\"obj\"><string name=\"filename\" value=\"speck.obj\"/></mesh>";
+      "<emitter type=\"environment\"><string name=\"filename\" value=\"sky.exr\"/><string "
+      "name=\"encoding\" "
+      "value=\"linear\"/></emitter><mesh type=\"obj\"><string name=\"filename\" "
+      "value=\"speck.obj\"/></mesh>";
   constexpr int side = 24;
   // Ahead, behind, to both sides and to both poles.
-  const std::array<dvec3, 6> directions{dvec3(0, 0, 1),  dvec3(0, 0, -1),      dvec3(1, 0, 0),
-                                        dvec3(-1, 0, 0), dvec3(0.01, 1, 0.02), dvec3(0.02, -1, 0.01)};
+  const std::array<dvec3, 6> directions{dvec3(0, 0, 1),       dvec3(0, 0, -1),
+                                        dvec3(1, 0, 0),       dvec3(-1, 0, 0),
+                                        dvec3(0.01, 1, 0.02), dvec3(0.02, -1, 0.01)};
   for (const dvec3& target : directions) {
     const dvec3 up_hint = std::abs(target.y) > 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-    const Scene scene =
-        read(sky + camera(side, side, 80,
-                          fmt::format("<lookat origin=\"0 0 0\" target=\"{} {} {}\" up=\"{} {} {}\"/>",
-                                      target.x, target.y, target.z, up_hint.x, up_hint.y, up_hint.z)));
+    const Scene scene = read(
+        sky + camera(side, side, 80,
+                     fmt::format("<lookat origin=\"0 0 0\" target=\"{} {} {}\" up=\"{} {} {}\"/>",
+                                 target.x, target.y, target.z, up_hint.x, up_hint.y, up_hint.z)));
     const dvec3 ahead = glm::normalize(target);
     const dvec3 right = glm::normalize(glm::cross(ahead, up_hint));
     const dvec3 up = glm::cross(right, ahead);
     const double tangent = std::tan(40 * std::numbers::pi / 180);
-    // Where the slope of the interpolation is steep, a filter of a hundredth of a pixel shows: 64 samples.
+    // Where the slope of the interpolation is steep, a filter of a hundredth of a pixel shows: 64
+    // samples.
     for (const Image& image : images_of(scene, whole_image(scene, 64))) {
       double worst = 0;
       for (int y = 0; y < side; ++y) {
@@ -246,13 +253,14 @@ TEST_F(Orientation, a_textmap_lies_on_its_surface_as_in_nori) {
   map = read_image(folder_.file("map.png"));
   // The same values as floats.
   write_exr(folder_.file("map.exr"), map);
-  folder_.write(
-      "quad.obj",
-      "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 4/4 3/3 2/2 1/1\n");
+  folder_.write("quad.obj",
+                "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 4/4 3/3 "
+                "2/2 1/1\n");
   for (const std::string file : {"map.png", "map.exr"}) {
     SCOPED_TRACE(file);
     const Scene scene = read(
-        "<mesh type=\"obj\"><string name=\"filename\" value=\"quad.obj\"/><emitter type=\"area\"><texture "
+        "<mesh type=\"obj\"><string name=\"filename\" value=\"quad.obj\"/><emitter "
+        "type=\"area\"><texture "
         "type=\"textmap\" "
         "name=\"radiance\"><string name=\"filename\" value=\"" +
         file +
@@ -283,8 +291,8 @@ TEST_F(Orientation, a_textmap_lies_on_its_surface_as_in_nori) {
   }
 }
 
-// Offsets of samples are as likely to the left as to the right, and upwards as downwards: a ramp shows its
-// value at the pixel's centre.
+// Offsets of samples are as likely to the left as to the right, and upwards as downwards: a ramp
+// shows its value at the pixel's centre.
 TEST_F(Orientation, pixel_centres_lie_half_a_pixel_from_the_corner) {
   const Scene scene = squares_seen_by(
       camera(2, 2, 90, "<lookat origin=\"-0.7 -0.2 -1\" target=\"-0.7 -0.2 0\" up=\"0 1 0\"/>"));

@@ -81,15 +81,22 @@ TEST(Part, PairsOfFloatsAreExact) {
   for (const double low : {0x1p-25, -0x1p-25, 0x1.fffffep-26, 0x1.000002p-28, 0.0})
     pixels.push_back(make_sums(0x1.000002p3 * (1 + low) - 0x1.000002p3 + 0x1.000002p3));
   const Film film = make_row(pixels, false);
-  EXPECT_TRUE(film_of_part(make_part(film, false), most, "a").pixels[4].values == film.pixels[4].values);
+  EXPECT_TRUE(film_of_part(make_part(film, false), most, "a").pixels[4].values ==
+              film.pixels[4].values);
   const Film once = there_and_back(film);
   EXPECT_TRUE(there_and_back(once).pixels == once.pixels) << "a part of a part loses nothing more";
 }
 
 TEST(Part, LargeAndSmallSumsAreScaled) {
   // Squares of 1e30 are no floats, nor are those of 1e-30, nor 2^30 samples of 1e38.
-  for (const auto& [low, high] : std::vector<std::pair<double, double>>{
-           {29, 30}, {-30, -29}, {40, 47}, {-44, -40}, {-14, 19}, {-16, 16}, {-150, -149}, {150, 150}}) {
+  for (const auto& [low, high] : std::vector<std::pair<double, double>>{{29, 30},
+                                                                        {-30, -29},
+                                                                        {40, 47},
+                                                                        {-44, -40},
+                                                                        {-14, 19},
+                                                                        {-16, 16},
+                                                                        {-150, -149},
+                                                                        {150, 150}}) {
     SCOPED_TRACE(fmt::format("1e{} to 1e{}", low, high));
     expect_close(random_film(low, high), there_and_back(random_film(low, high)));
   }
@@ -115,7 +122,8 @@ TEST(Part, NoNumberStaysNoNumber) {
 
 TEST(Part, CountsAreExact) {
   std::vector<PixelSums> pixels;
-  for (const std::uint32_t n : {0U, 1U, (1U << 24U) - 1, (1U << 24U) + 1, (1U << 30U) - 1, 1U << 30U}) {
+  for (const std::uint32_t n :
+       {0U, 1U, (1U << 24U) - 1, (1U << 24U) + 1, (1U << 30U) - 1, 1U << 30U}) {
     pixels.push_back(make_sums(n, n));
     pixels.back().nonzero = n;
   }
@@ -193,7 +201,8 @@ TEST(Part, ContradictionsAreFound) {
   expect_message(error_with("R", 7), "a.exr", {"pixel (1, 0)", "R = 7", "changed"});
   expect_message(error_with("sum.G", 7), "a.exr", {"pixel (1, 0)", "G = "});
   for (const float count : {2001.F, -1.F, 0.5F, std::nanf(""), 1e30F})
-    expect_message(error_with("samples", count), "a.exr", {"pixel (1, 0)", "in samples", "2000 samples"});
+    expect_message(error_with("samples", count), "a.exr",
+                   {"pixel (1, 0)", "in samples", "2000 samples"});
   expect_message(error_with("samples.nonzero", 2001), "a.exr", {"in samples.nonzero"});
 }
 

@@ -33,11 +33,12 @@ class PngTest : public ::testing::Test {
 
 TEST_F(PngTest, PngIsEncodedAsSrgb) {
   const float inf = std::numeric_limits<float>::infinity();
-  const std::vector<std::pair<float, int>> cases{{0.F, 0},           {1.F, 255},   {0.5F, 188}, {0.18F, 118},
-                                                 {0.003F, 10},       {0.0002F, 1}, {2.F, 255},  {-1.F, 0},
-                                                 {std::nanf(""), 0}, {inf, 255},   {-inf, 0}};
+  const std::vector<std::pair<float, int>> cases{
+      {0.F, 0},   {1.F, 255}, {0.5F, 188},        {0.18F, 118}, {0.003F, 10}, {0.0002F, 1},
+      {2.F, 255}, {-1.F, 0},  {std::nanf(""), 0}, {inf, 255},   {-inf, 0}};
   Image image(static_cast<int>(cases.size()), 1, {"R", "G", "B"});
-  for (std::size_t i = 0; i < cases.size(); ++i) image.at(static_cast<int>(i), 0, 1) = cases[i].first;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    image.at(static_cast<int>(i), 0, 1) = cases[i].first;
   write_png(folder_.file("a.png"), image, 0);
   const auto pixels = codes_of_png(folder_.file("a.png"));
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -71,7 +72,8 @@ TEST_F(PngTest, PngIsReadAsLinear) {
   EXPECT_EQ(back.at(255, 0, 1), 1);
   EXPECT_EQ(back.window.full_width, 256);
   write_png(folder_.file("b.png"), back, 0);
-  EXPECT_EQ(codes_of_png(folder_.file("a.png")), codes_of_png(folder_.file("b.png"))) << "codes survive";
+  EXPECT_EQ(codes_of_png(folder_.file("a.png")), codes_of_png(folder_.file("b.png")))
+      << "codes survive";
 }
 
 TEST_F(PngTest, OtherPngFormats) {
@@ -80,7 +82,8 @@ TEST_F(PngTest, OtherPngFormats) {
     png.version = PNG_IMAGE_VERSION;
     png.width = png.height = 1;
     png.format = format;
-    ASSERT_NE(png_image_write_to_file(&png, folder_.file("a.png").c_str(), 0, pixels, 0, nullptr), 0);
+    ASSERT_NE(png_image_write_to_file(&png, folder_.file("a.png").c_str(), 0, pixels, 0, nullptr),
+              0);
   };
   const std::uint8_t gray = 255;
   write(PNG_FORMAT_GRAY, &gray);
@@ -114,8 +117,8 @@ void write_gray_png(const std::filesystem::path& path, int bits, std::uint16_t v
   (void)std::fclose(out);
 }
 
-/// Nori takes bytes over 255, whatever else the file says of them: 128 was read as 186 under a gamma of 1,
-/// and as 93 with half an alpha.
+/// Nori takes bytes over 255, whatever else the file says of them: 128 was read as 186 under a
+/// gamma of 1, and as 93 with half an alpha.
 TEST_F(PngTest, PngBytesAreReadAsTheyAre) {
   const auto path = folder_.file("a.png");
   for (const auto& [alpha, gamma] : {std::pair(-1, 0.0), std::pair(-1, 1.0), std::pair(-1, 0.45455),
@@ -137,7 +140,8 @@ TEST_F(PngTest, PngBytesAreReadAsTheyAre) {
 TEST_F(PngTest, UnreadablePngFilesAreNamed) {
   write_png(folder_.file("a.png"), make_image(20, 20, {"R", "G", "B"}), 0);
   const std::string whole = folder_.read("a.png");
-  for (const std::string& text : {std::string(), std::string("text"), whole.substr(0, whole.size() / 2)}) {
+  for (const std::string& text :
+       {std::string(), std::string("text"), whole.substr(0, whole.size() / 2)}) {
     folder_.write("bad.png", text);
     expect_message(input_error_of([&] { return read_png(folder_.file("bad.png")); }),
                    folder_.file("bad.png").string(), {"not a readable PNG"});

@@ -44,8 +44,9 @@ TEST_F(PolygonTest, QuadrilateralsAreCutAlongTheShorterDiagonalThatLiesInThem) {
 
 TEST_F(PolygonTest, PolygonsThatWindInwardsKeepTheirArea) {
   // A comb of three teeth, in a plane across the axes.
-  const std::array<vec2, 11> outline{vec2(0, 0), vec2(5, 0), vec2(5, 4), vec2(4, 4), vec2(4, 1), vec2(3, 1),
-                                     vec2(3, 4), vec2(2, 4), vec2(2, 1), vec2(1, 1), vec2(0, 4)};
+  const std::array<vec2, 11> outline{vec2(0, 0), vec2(5, 0), vec2(5, 4), vec2(4, 4),
+                                     vec2(4, 1), vec2(3, 1), vec2(3, 4), vec2(2, 4),
+                                     vec2(2, 1), vec2(1, 1), vec2(0, 4)};
   std::string text;
   std::string face = "f";
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -76,8 +77,8 @@ TEST_F(PolygonTest, PolygonsMayHaveHolesBehindASlit) {
 TEST_F(PolygonTest, CornersAtOnePlaceCountOnce) {
   // A dart, as in the quadrilaterals above, of area 3.
   const std::string dart = "v 0 3 0\nv -2 0 0\nv 0 1.5 0\nv 2 0 0\n";
-  for (const char* face :
-       {"f 1 2 3 4", "f 1 2 2 3 4 4", "f 1 1 2 3 4", "f 1 2 3 4 1", "f 4 1 2 3 3 3 4", "f 1 2 3 3 4 4 1 1"}) {
+  for (const char* face : {"f 1 2 3 4", "f 1 2 2 3 4 4", "f 1 1 2 3 4", "f 1 2 3 4 1",
+                           "f 4 1 2 3 3 3 4", "f 1 2 3 3 4 4 1 1"}) {
     const Mesh mesh = read(dart + face + "\n");
     EXPECT_EQ(mesh.position_indices.size(), 2U) << face;
     EXPECT_NEAR(area(mesh), 3, 1e-6) << face;

@@ -1,5 +1,5 @@
-// Values of the reference's BSDFs: against their definitions, written out plainly, and against what physics
-// says of them.
+// Values of the reference's BSDFs: against their definitions, written out plainly, and against what
+// physics says of them.
 #include <gtest/gtest.h>
 
 #include "support/bsdfs.h"
@@ -10,7 +10,8 @@ namespace {
 using namespace reference;
 using Direction = Vec3<double>;
 
-/// The integral of a function of direction over the upper hemisphere, by the midpoint rule in tan(theta).
+/// The integral of a function of direction over the upper hemisphere, by the midpoint rule in
+/// tan(theta).
 template <typename Function>
 double integrate_hemisphere(double scale, const Function& f) {
   constexpr int steps = 2000;
@@ -97,9 +98,11 @@ TEST(ReferenceBsdf, dielectric_reflectance_is_fresnels) {
         const long double p = (to * c - ct) / (to * c + ct);
         expected = (s * s + p * p) / 2;
       }
-      EXPECT_NEAR(dielectric_reflectance(c, 1.0, to, 0, probe), static_cast<double>(expected), 1e-12);
-      EXPECT_NEAR(static_cast<double>(dielectric_reflectance(static_cast<float>(c), 1.0F, index, 0, probe)),
-                  static_cast<double>(expected), 2e-4 * static_cast<double>(expected) + 1e-9)
+      EXPECT_NEAR(dielectric_reflectance(c, 1.0, to, 0, probe), static_cast<double>(expected),
+                  1e-12);
+      EXPECT_NEAR(
+          static_cast<double>(dielectric_reflectance(static_cast<float>(c), 1.0F, index, 0, probe)),
+          static_cast<double>(expected), 2e-4 * static_cast<double>(expected) + 1e-9)
           << to << ' ' << c;
     }
   }
@@ -119,26 +122,29 @@ TEST(ReferenceBsdf, conductor_reflectance_is_fresnels) {
       const double s = std::norm((c - n * ct) / (c + n * ct));
       const double p = std::norm((n * c - ct) / (n * c + ct));
       EXPECT_NEAR(conductor_reflectance(eta, k, c), (s + p) / 2, 1e-12);
-      EXPECT_NEAR(
-          conductor_reflectance(static_cast<float>(eta), static_cast<float>(k), static_cast<float>(c)),
-          (s + p) / 2, 1e-5);
+      EXPECT_NEAR(conductor_reflectance(static_cast<float>(eta), static_cast<float>(k),
+                                        static_cast<float>(c)),
+                  (s + p) / 2, 1e-5);
     }
   }
   Unwatched probe;
   for (const double c : {1.0, 0.6, 0.2}) {
     for (const double eta : {1.5, 0.7})
-      EXPECT_NEAR(conductor_reflectance(eta, 0.0, c), dielectric_reflectance(c, 1.0, eta, 0, probe), 1e-12);
+      EXPECT_NEAR(conductor_reflectance(eta, 0.0, c), dielectric_reflectance(c, 1.0, eta, 0, probe),
+                  1e-12);
   }
 }
 
-/// The models written out plainly from their definitions: a misreading that kernels and reference shared
-/// would show here. Parameters are those of rough_bsdfs.
+/// The models written out plainly from their definitions: a misreading that kernels and reference
+/// shared would show here. Parameters are those of rough_bsdfs.
 class Definition {
  public:
-  Definition(double alpha, const bsdf::MicrofacetOptions& options) : alpha_(alpha), options_(options) {}
+  Definition(double alpha, const bsdf::MicrofacetOptions& options)
+      : alpha_(alpha), options_(options) {}
 
   /// f(wo, wi) in channel k, by name.
-  [[nodiscard]] double value(const std::string& name, const Direction& wo, const Direction& wi, int k) const {
+  [[nodiscard]] double value(const std::string& name, const Direction& wo, const Direction& wi,
+                             int k) const {
     const double warm = std::array{0.9, 0.5, 0.1}.at(static_cast<std::size_t>(k));
     const double cold = std::array{0.2, 0.5, 0.7}.at(static_cast<std::size_t>(k));
     if (name == "roughdielectric") return warm * interface(wo, wi);
@@ -150,7 +156,8 @@ class Definition {
     const auto schlick = [c](double r) { return r + (1 - r) * std::pow(1 - c, 5); };
     if (name == "roughconductor") return gloss * schlick(warm);
     if (name == "roughsubstrate") return cold * base * (1 - 0.04) + gloss * fresnel(c, 1, 1.5);
-    if (name == "microfacet") return cold / std::numbers::pi + (1 - 0.7) * gloss * fresnel(c, 1, 1.5);
+    if (name == "microfacet")
+      return cold / std::numbers::pi + (1 - 0.7) * gloss * fresnel(c, 1, 1.5);
     return cold * (1 - warm / 2) * base +
            distribution(h) * schlick(warm / 2) / (4 * std::abs(c) * std::max(wi.z, wo.z));
   }
@@ -172,7 +179,8 @@ class Definition {
       return 2 / (1 + std::sqrt(1 + alpha_ * alpha_ * tangent * tangent));
     const double b = 1 / (alpha_ * tangent);
     if (options_.masking == Masking::exact)
-      return 1 / (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(std::numbers::pi)));
+      return 1 /
+             (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(std::numbers::pi)));
     return b >= 1.6 ? 1 : (3.535 * b + 2.181 * b * b) / (1 + 2.276 * b + 2.577 * b * b);
   }
 

@@ -76,7 +76,9 @@ TEST(ReferenceSampling, samples_have_the_density_and_the_albedo_of_the_lobe) {
           // The other strategies leave more to the weight.
           const double share = strategy == LobeSampling::visible ? 4e-3 : 8e-3;
           for (int k = 0; k < 3; ++k)
-            EXPECT_NEAR(mean.albedo[k] / count, expected.albedo[k], share * (1 + expected.albedo[k])) << what;
+            EXPECT_NEAR(mean.albedo[k] / count, expected.albedo[k],
+                        share * (1 + expected.albedo[k]))
+                << what;
         }
       }
     }
@@ -129,11 +131,13 @@ TEST(ReferenceSampling, no_surface_gives_more_light_than_it_gets) {
           const auto model = make_bsdf<double>(b, LobeSampling::visible);
           double light = 0;
           // eta^2: what refraction does to radiance it does to no energy.
-          const int count = for_each_sample(model, direction(theta, 1), 64, [&](const BsdfSample<double>& s) {
-            light += s.weight.x * s.eta2;
-          });
-          EXPECT_LE(light / count, 1.004) << bsdf_type_names.at(b.index()) << ' ' << alpha << ' ' << theta;
-          EXPECT_GE(light / count, 0.15) << bsdf_type_names.at(b.index()) << ' ' << alpha << ' ' << theta;
+          const int count =
+              for_each_sample(model, direction(theta, 1), 64,
+                              [&](const BsdfSample<double>& s) { light += s.weight.x * s.eta2; });
+          EXPECT_LE(light / count, 1.004)
+              << bsdf_type_names.at(b.index()) << ' ' << alpha << ' ' << theta;
+          EXPECT_GE(light / count, 0.15)
+              << bsdf_type_names.at(b.index()) << ' ' << alpha << ' ' << theta;
         }
       }
     }
@@ -185,7 +189,8 @@ TEST(ReferenceSampling, equal_indices_bend_nothing) {
   const BsdfSample<double> s = rough.sample(wo, {0.9, 0.3, 0.3}, probe);
   EXPECT_EQ(s.wi, -wo);
   EXPECT_EQ(s.pdf, delta_pdf<double>);
-  const Microfacets<double> microfacets(static_cast<double>(0.6F), exact_beckmann, LobeSampling::ndf);
+  const Microfacets<double> microfacets(static_cast<double>(0.6F), exact_beckmann,
+                                        LobeSampling::ndf);
   EXPECT_NEAR(s.weight.x, 0.5 * microfacets.exact_masking(wo), 1e-12);
   EXPECT_EQ(rough.eval(wo, -wo, probe), Direction(0));
   // The limit of indices that are nearly equal.
@@ -218,10 +223,12 @@ std::vector<NamedBsdf> extreme_bsdfs() {
         list.push_back({"dielectric", bsdf::Dielectric{outer, inner}});
         for (const float c : {0.0F, 1.0F}) {
           const Color color(c);
-          list.push_back({"roughsubstrate", bsdf::RoughSubstrate{color, alpha, outer, inner, options}});
+          list.push_back(
+              {"roughsubstrate", bsdf::RoughSubstrate{color, alpha, outer, inner, options}});
           list.push_back({"microfacet", bsdf::Microfacet{alpha, outer, inner, color, options}});
           list.push_back({"fresnelblend", bsdf::FresnelBlend{color, color, alpha, options}});
-          list.push_back({"fresnelblend", bsdf::FresnelBlend{Color(1) - color, color, alpha, options}});
+          list.push_back(
+              {"fresnelblend", bsdf::FresnelBlend{Color(1) - color, color, alpha, options}});
           list.push_back({"roughconductor", bsdf::RoughConductor{color, alpha, options, c > 0}});
         }
       }
@@ -251,7 +258,8 @@ void expect_sound_at_the_ends() {
             for (const Real v : {Real(0), Real(0.3), end}) {
               const BsdfSample<Real> s = model.sample(wo, {lobe, u, v}, probe);
               expect_sound(s.weight, b.name + " weight ");
-              if (s.pdf != delta_pdf<Real>) expect_sound(Vec3<Real>(s.pdf), b.name + " sample's density ");
+              if (s.pdf != delta_pdf<Real>)
+                expect_sound(Vec3<Real>(s.pdf), b.name + " sample's density ");
               if (s.weight != Vec3<Real>(0)) check_pair(s.wi);
             }
           }

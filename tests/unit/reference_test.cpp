@@ -31,8 +31,10 @@ TEST(Reference, visible_slopes_have_the_mass_that_was_asked_for) {
   for (const double polar : {1e-6, 0.1, 0.7, 1.2, 1.5, 1.5707}) {
     const VisibleSlopes<double> slopes(std::sin(polar), std::cos(polar));
     const double end = std::min(std::cos(polar) / std::sin(polar), 6.0);
-    for (const double u : {std::ldexp(1.0, -25), 1e-4, 0.1, 0.5, 0.9, 0.9999, 1 - std::ldexp(1.0, -24)}) {
-      EXPECT_NEAR(slopes.mass(slopes.quantile(u)) / (u * slopes.mass(end)), 1, 1e-13) << polar << ' ' << u;
+    for (const double u :
+         {std::ldexp(1.0, -25), 1e-4, 0.1, 0.5, 0.9, 0.9999, 1 - std::ldexp(1.0, -24)}) {
+      EXPECT_NEAR(slopes.mass(slopes.quantile(u)) / (u * slopes.mass(end)), 1, 1e-13)
+          << polar << ' ' << u;
     }
   }
 }
@@ -42,7 +44,9 @@ TEST(Reference, choices_are_the_kernels_choices) {
   for (int round = 0; round < 50; ++round) {
     std::vector<double> weights(1 + random() % 40);
     for (double& w : weights)
-      w = random() % 4 == 0 ? 0 : std::ldexp(static_cast<double>(random()), -static_cast<int>(random() % 60));
+      w = random() % 4 == 0
+              ? 0
+              : std::ldexp(static_cast<double>(random()), -static_cast<int>(random() % 60));
     weights.front() += 1e-30;
     const Choice choice(weights);
     const std::vector<std::uint32_t> cumulative = cumulative_counts(weights);
@@ -50,7 +54,8 @@ TEST(Reference, choices_are_the_kernels_choices) {
       const auto word = static_cast<std::uint32_t>(random());
       const auto expected =
           std::upper_bound(cumulative.begin(), cumulative.end(), std::min(word, 0xfffffffeU));
-      EXPECT_EQ(static_cast<std::ptrdiff_t>(choice.choose(word).entry), expected - cumulative.begin());
+      EXPECT_EQ(static_cast<std::ptrdiff_t>(choice.choose(word).entry),
+                expected - cumulative.begin());
     }
     for (std::size_t i = 0; i < weights.size(); ++i)
       EXPECT_EQ(choice.probability(i), choice_probability(cumulative, i));
@@ -58,8 +63,8 @@ TEST(Reference, choices_are_the_kernels_choices) {
 }
 
 TEST(Reference, filter_offsets_cut_equal_masses) {
-  for (const Filter& filter :
-       {Filter(GaussianFilter{}), Filter(MitchellFilter{}), Filter(TentFilter{}), Filter(BoxFilter{})}) {
+  for (const Filter& filter : {Filter(GaussianFilter{}), Filter(MitchellFilter{}),
+                               Filter(TentFilter{}), Filter(BoxFilter{})}) {
     const FilterProfile profile(filter);
     // Mass of |f| below the offset of u, by a fine midpoint rule.
     const double radius = filter_radius(filter);
@@ -75,7 +80,8 @@ TEST(Reference, filter_offsets_cut_equal_masses) {
       }
     }
     for (std::size_t k = 0; k < below.size(); ++k)
-      EXPECT_NEAR(below[k] / total, (static_cast<double>(k) + 1) / 10, 3e-5) << filter.index() << ' ' << k;
+      EXPECT_NEAR(below[k] / total, (static_cast<double>(k) + 1) / 10, 3e-5)
+          << filter.index() << ' ' << k;
   }
 }
 
@@ -102,7 +108,8 @@ void expect_tree_equals_brute_force() {
     Hit<Real> expected{ray.t_max, none, 0, 0};
     for (std::uint32_t k = 0; k < geometry.triangles.size(); ++k) {
       const PlaneHit<Real> plane = meet_plane(shear, ray, geometry.triangles[k]);
-      if (plane.valid && plane.inside && plane.t > 0 && plane.t < expected.t) expected = {plane.t, k, 0, 0};
+      if (plane.valid && plane.inside && plane.t > 0 && plane.t < expected.t)
+        expected = {plane.t, k, 0, 0};
     }
     const Hit<Real> found = closest_hit(geometry, ray);
     EXPECT_EQ(found.t, expected.t);

@@ -35,7 +35,8 @@ BitmapTexture counting_map(int width, int height) {
   BitmapTexture t{width, height, {}, false, Color(1), 1, 1};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x)
-      t.texels.push_back(static_cast<std::uint32_t>(10 * x) | static_cast<std::uint32_t>(10 * y) << 8U);
+      t.texels.push_back(static_cast<std::uint32_t>(10 * x) | static_cast<std::uint32_t>(10 * y)
+                                                                  << 8U);
   }
   return t;
 }

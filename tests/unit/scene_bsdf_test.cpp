@@ -22,7 +22,9 @@ class SceneBsdfTest : public ::testing::Test {
   Type read_bsdf(const std::string& bsdf) {
     return std::get<Type>(read(bsdf));
   }
-  void TearDown() override { EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0]; }
+  void TearDown() override {
+    EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0];
+  }
 
   test::TemporaryFolder folder_;
   Diagnostics diagnostics_;
@@ -30,7 +32,8 @@ class SceneBsdfTest : public ::testing::Test {
 
 TEST_F(SceneBsdfTest, Diffuse) {
   EXPECT_EQ(read_bsdf<bsdf::Diffuse>("<bsdf type=\"diffuse\"/>").albedo.value, Color(0.5F));
-  const char* text = "<bsdf type=\"diffuse\"><color name=\"albedo\" value=\"0.1, 0.2 0.3\"/></bsdf>";
+  const char* text =
+      "<bsdf type=\"diffuse\"><color name=\"albedo\" value=\"0.1, 0.2 0.3\"/></bsdf>";
   EXPECT_EQ(read_bsdf<bsdf::Diffuse>(text).albedo.value, Color(0.1F, 0.2F, 0.3F));
 }
 
@@ -39,7 +42,8 @@ TEST_F(SceneBsdfTest, RoughConductor) {
   EXPECT_EQ(plain.r0.value, Color(0.5F));
   EXPECT_EQ(plain.alpha.value, 0.1F);
   const auto gold = read_bsdf<bsdf::RoughConductor>(
-      "<bsdf type=\"roughconductor\"><color name=\"R0\" value=\"1 0.86 0.57\"/><float name=\"alpha\" "
+      "<bsdf type=\"roughconductor\"><color name=\"R0\" value=\"1 0.86 0.57\"/><float "
+      "name=\"alpha\" "
       "value=\"1\"/></bsdf>");
   EXPECT_EQ(gold.r0.value, Color(1, 0.86F, 0.57F));
   EXPECT_EQ(gold.alpha.value, 1);
@@ -110,7 +114,8 @@ TEST_F(SceneBsdfTest, RoughDielectric) {
   EXPECT_EQ(plain.int_ior, 1.5046F);
   EXPECT_EQ(plain.ext_ior, 1.000277F);
   const auto frosted = read_bsdf<bsdf::RoughDielectric>(
-      "<bsdf type=\"roughdielectric\"><color name=\"ka\" value=\"0.4\"/><float name=\"alpha\" value=\"0.3\"/>"
+      "<bsdf type=\"roughdielectric\"><color name=\"ka\" value=\"0.4\"/><float name=\"alpha\" "
+      "value=\"0.3\"/>"
       "<float name=\"intIOR\" value=\"1.7\"/><float name=\"extIOR\" value=\"1.3\"/></bsdf>");
   EXPECT_EQ(frosted.ka.value, Color(0.4F));
   EXPECT_EQ(frosted.alpha.value, 0.3F);
@@ -140,7 +145,8 @@ TEST_F(SceneBsdfTest, RoughBsdfsKnowDistributionsAndMasking) {
   check.operator()<bsdf::RoughDielectric>("roughdielectric");
   check.operator()<bsdf::Microfacet>("microfacet");
   check.operator()<bsdf::FresnelBlend>("fresnelblend");
-  const char* metal = "<bsdf type=\"roughconductor\"><boolean name=\"multiscatter\" value=\"true\"/></bsdf>";
+  const char* metal =
+      "<bsdf type=\"roughconductor\"><boolean name=\"multiscatter\" value=\"true\"/></bsdf>";
   EXPECT_TRUE(read_bsdf<bsdf::RoughConductor>(metal).multiscatter);
   EXPECT_FALSE(read_bsdf<bsdf::RoughConductor>("<bsdf type=\"roughconductor\"/>").multiscatter);
 }

@@ -35,11 +35,13 @@ class SceneErrorsTest : public ::testing::Test {
   }
   /// The properties begin on line 3.
   void expect_camera_error(const std::string& properties, Words words) const {
-    expect_error("<scene><camera type=\"perspective\">\n\n" + properties + "</camera></scene>", 3, words);
+    expect_error("<scene><camera type=\"perspective\">\n\n" + properties + "</camera></scene>", 3,
+                 words);
   }
   /// The content begins on line 4.
   void expect_mesh_error(const std::string& content, int line, Words words) const {
-    expect_body_error("<mesh type=\"obj\">" + triangle_file + "\n" + content + "\n</mesh>", line, words);
+    expect_body_error("<mesh type=\"obj\">" + triangle_file + "\n" + content + "\n</mesh>", line,
+                      words);
   }
   /// Exactly one warning, and an error under --strict.
   void expect_warning(const std::string& text, int line, Words words) const {
@@ -58,11 +60,13 @@ class SceneErrorsTest : public ::testing::Test {
 
 TEST_F(SceneErrorsTest, UnknownPropertiesAreWarnings) {
   expect_warning(
-      "<scene>\n<camera type=\"perspective\">\n<float name=\"fvo\" value=\"1\"/>\n</camera></scene>", 3,
-      {"camera \"perspective\"", "\"fvo\"", "ignored", "did you mean \"fov\"?"});
-  expect_warning("<scene>\n" + camera +
-                     "<emitter type=\"environment\">\n<float name=\"rotate\" value=\"9\"/></emitter></scene>",
-                 4, {"environment", "\"rotate\"", "ignored"});
+      "<scene>\n<camera type=\"perspective\">\n<float name=\"fvo\" "
+      "value=\"1\"/>\n</camera></scene>",
+      3, {"camera \"perspective\"", "\"fvo\"", "ignored", "did you mean \"fov\"?"});
+  expect_warning(
+      "<scene>\n" + camera +
+          "<emitter type=\"environment\">\n<float name=\"rotate\" value=\"9\"/></emitter></scene>",
+      4, {"environment", "\"rotate\"", "ignored"});
   expect_warning("<scene>\n" + camera + "<boolean name=\"b\" value=\"true\"/></scene>", 3,
                  {"scene", "\"b\"", "ignored"});
   expect_warning("<scene>\n" + camera + "<point name=\"p\" value=\"1 2 3\"/></scene>", 3,
@@ -73,9 +77,10 @@ TEST_F(SceneErrorsTest, UnknownPropertiesAreWarnings) {
 
 TEST_F(SceneErrorsTest, AMeshWithoutFacesIsAWarning) {
   folder_.write("empty.obj", "v 0 0 0\n");
-  expect_warning("<scene>\n" + camera +
-                     "<mesh type=\"obj\"><string name=\"filename\" value=\"empty.obj\"/></mesh></scene>",
-                 3, {"empty.obj", "no faces"});
+  expect_warning(
+      "<scene>\n" + camera +
+          "<mesh type=\"obj\"><string name=\"filename\" value=\"empty.obj\"/></mesh></scene>",
+      3, {"empty.obj", "no faces"});
 }
 
 TEST_F(SceneErrorsTest, TextureOfNoKnownNameIsNotSilent) {
@@ -88,15 +93,18 @@ TEST_F(SceneErrorsTest, TextureOfNoKnownNameIsNotSilent) {
 }
 
 TEST_F(SceneErrorsTest, TagsAndTypes) {
-  expect_body_error("<emiter type=\"area\"/>", 3, {"unknown tag <emiter>", "did you mean \"emitter\"?"});
-  expect_body_error("<integrator type=\"path_miss\"/>", 3, {"unknown type", "did you mean \"path_mis\"?"});
+  expect_body_error("<emiter type=\"area\"/>", 3,
+                    {"unknown tag <emiter>", "did you mean \"emitter\"?"});
+  expect_body_error("<integrator type=\"path_miss\"/>", 3,
+                    {"unknown type", "did you mean \"path_mis\"?"});
   expect_body_error("<sampler type=\"quasi\"/>", 3, {"sampler", "quasi", "unknown type"});
   expect_body_error("\n\n<mesh/>", 5, {"<mesh>", "lacks", "\"type\""});
   expect_mesh_error("<bsdf type=\"difuse\"/>", 4,
                     {"bsdf \"difuse\"", "unknown type", "did you mean \"diffuse\"?"});
   expect_mesh_error("<emitter type=\"aera\"/>", 4, {"unknown type", "did you mean \"area\"?"});
   expect_camera_error("<rfilter type=\"bx\"/>", {"rfilter", "did you mean \"box\"?"});
-  expect_error("<scene>\n<camera type=\"perspectiv\"/></scene>", 2, {"did you mean \"perspective\"?"});
+  expect_error("<scene>\n<camera type=\"perspectiv\"/></scene>", 2,
+               {"did you mean \"perspective\"?"});
 }
 
 TEST_F(SceneErrorsTest, MediaAndTests) {
@@ -114,8 +122,10 @@ TEST_F(SceneErrorsTest, CamerasAndOtherSingles) {
                     {"more than one <integrator>"});
   expect_body_error("<emitter type=\"environment\"/>\n<emitter type=\"environment\"/>", 4,
                     {"more than one environment"});
-  expect_mesh_error("<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/>", 4, {"more than one <bsdf>"});
-  expect_mesh_error("<emitter type=\"area\"/>\n<emitter type=\"area\"/>", 5, {"more than one <emitter>"});
+  expect_mesh_error("<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/>", 4,
+                    {"more than one <bsdf>"});
+  expect_mesh_error("<emitter type=\"area\"/>\n<emitter type=\"area\"/>", 5,
+                    {"more than one <emitter>"});
 }
 
 TEST_F(SceneErrorsTest, ChildrenInTheWrongPlace) {
@@ -129,15 +139,17 @@ TEST_F(SceneErrorsTest, ChildrenInTheWrongPlace) {
 TEST_F(SceneErrorsTest, CameraValues) {
   expect_camera_error("<integer name=\"width\" value=\"0\"/>", {"\"width\"", "is 0"});
   expect_camera_error("<integer name=\"height\" value=\"-5\"/>", {"\"height\"", "is -5"});
-  expect_camera_error("<integer name=\"width\" value=\"100000\"/><integer name=\"height\" value=\"100000\"/>",
-                      {"100000x100000", "pixels"});
-  expect_camera_error("<float name=\"width\" value=\"16\"/>", {"\"width\"", "<integer>", "<float>"});
+  expect_camera_error(
+      "<integer name=\"width\" value=\"100000\"/><integer name=\"height\" value=\"100000\"/>",
+      {"100000x100000", "pixels"});
+  expect_camera_error("<float name=\"width\" value=\"16\"/>",
+                      {"\"width\"", "<integer>", "<float>"});
   expect_camera_error("<float name=\"fov\" value=\"180\"/>", {"\"fov\"", "less than 180"});
   expect_camera_error("<float name=\"fov\" value=\"1.0f\"/>", {"1.0f", "not a number"});
   expect_camera_error("<float name=\"farClip\" value=\"1e-5\"/>", {"\"farClip\"", "greater than"});
-  for (const char* values :
-       {"<float name=\"B\" value=\"4\"/><float name=\"C\" value=\"0\"/>", "<float name=\"B\" value=\"10\"/>",
-        "<float name=\"C\" value=\"-1\"/><float name=\"B\" value=\"0\"/>"})
+  for (const char* values : {"<float name=\"B\" value=\"4\"/><float name=\"C\" value=\"0\"/>",
+                             "<float name=\"B\" value=\"10\"/>",
+                             "<float name=\"C\" value=\"-1\"/><float name=\"B\" value=\"0\"/>"})
     expect_camera_error("<rfilter type=\"mitchell\">" + std::string(values) + "</rfilter>",
                         {"\"C\"", "with B = "});
   expect_camera_error("<float name=\"nearClip\" value=\"-1\"/>", {"\"nearClip\"", "negative"});
@@ -154,15 +166,18 @@ TEST_F(SceneErrorsTest, Files) {
   expect_body_error("<mesh type=\"obj\"/>", 3, {"mesh \"obj\"", "filename"});
   expect_body_error("<mesh type=\"obj\">\n<string name=\"filename\" value=\"none.obj\"/></mesh>", 3,
                     {"none.obj", "cannot read"});
-  expect_body_error("<mesh type=\"obj\"><string name=\"filename\" value=\".\"/></mesh>", 3, {"cannot read"});
+  expect_body_error("<mesh type=\"obj\"><string name=\"filename\" value=\".\"/></mesh>", 3,
+                    {"cannot read"});
   const auto environment = [](const std::string& file) {
-    return "<emitter type=\"environment\"><string name=\"filename\" value=\"" + file + "\"/></emitter>";
+    return "<emitter type=\"environment\"><string name=\"filename\" value=\"" + file +
+           "\"/></emitter>";
   };
   expect_body_error(environment("none.exr"), 3, {"none.exr", "no such file"});
   expect_body_error(environment("triangle.obj"), 3,
                     {"triangle.obj", "not an OpenEXR, PNG, JPEG or HDR image", "v 0 0 0"});
   write_exr(folder_.file("mask.exr"), Image(1, 1, {"A", "Depth.Z"}));
-  expect_body_error(environment("mask.exr"), 3, {"mask.exr", "no channels R, G and B", "A, Depth.Z"});
+  expect_body_error(environment("mask.exr"), 3,
+                    {"mask.exr", "no channels R, G and B", "A, Depth.Z"});
 }
 
 TEST_F(SceneErrorsTest, TheSceneFileItself) {
@@ -173,7 +188,8 @@ TEST_F(SceneErrorsTest, TheSceneFileItself) {
   };
   expect_unreadable(folder_.file("none.xml"), "no such file");
   expect_unreadable(folder_.path(), "a folder");
-  expect_error("version https://git-lfs.github.com/spec/v1\n", 2, {"not well-formed", "git lfs pull"});
+  expect_error("version https://git-lfs.github.com/spec/v1\n", 2,
+               {"not well-formed", "git lfs pull"});
   expect_error("", 1, {"not well-formed XML"});
   expect_error("v 0 0 0", 1, {"not well-formed XML"});
   expect_error("\n<mesh type=\"obj\"/>", 2, {"<mesh>", "<scene> expected"});
@@ -198,13 +214,15 @@ TEST_F(SceneErrorsTest, StrayTextHasItsOwnLine) {
 }
 
 TEST_F(SceneErrorsTest, PropertiesHoldNothing) {
-  expect_camera_error("<float name=\"fov\" value=\"40\"><float name=\"nearClip\" value=\"1\"/></float>",
-                      {"<float>"});
+  expect_camera_error(
+      "<float name=\"fov\" value=\"40\"><float name=\"nearClip\" value=\"1\"/></float>",
+      {"<float>"});
   expect_camera_error("<float name=\"fov\" value=\"40\">50</float>", {"50"});
 }
 
 TEST_F(SceneErrorsTest, FiltersThatCannotWork) {
-  const std::string begin = "<scene><camera type=\"perspective\">\n\n<rfilter type=\"gaussian\"><float name=";
+  const std::string begin =
+      "<scene><camera type=\"perspective\">\n\n<rfilter type=\"gaussian\"><float name=";
   const std::string end = "/></rfilter></camera></scene>";
   expect_error(begin + "\"radius\" value=\"0\"" + end, 3, {"\"radius\"", "but must be"});
   expect_error(begin + "\"stddev\" value=\"-1\"" + end, 3, {"\"stddev\"", "but must be"});

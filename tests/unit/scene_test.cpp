@@ -14,7 +14,9 @@ class SceneTest : public ::testing::Test {
  protected:
   void SetUp() override { folder_.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
 
-  Scene read(const std::string& text) { return read_scene(folder_.write("scene.xml", text), diagnostics_); }
+  Scene read(const std::string& text) {
+    return read_scene(folder_.write("scene.xml", text), diagnostics_);
+  }
   Scene read_body(const std::string& body) {
     return read("<scene>\n<camera type=\"perspective\"/>\n" + body + "\n</scene>\n");
   }
@@ -30,7 +32,9 @@ class SceneTest : public ::testing::Test {
     const Scene scene = read_body("<emitter type=\"environment\">" + properties + "</emitter>");
     return std::get<EnvironmentEmitter>(scene.emitters.at(0));
   }
-  void TearDown() override { EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0]; }
+  void TearDown() override {
+    EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0];
+  }
 
   test::TemporaryFolder folder_;
   Diagnostics diagnostics_;
@@ -51,10 +55,12 @@ TEST_F(SceneTest, CameraDefaults) {
 
 TEST_F(SceneTest, CameraProperties) {
   const Camera c = read_camera(
-      "<integer name=\"width\" value=\"7\"/><integer name=\"height\" value=\"5\"/><float name=\"fov\" "
+      "<integer name=\"width\" value=\"7\"/><integer name=\"height\" value=\"5\"/><float "
+      "name=\"fov\" "
       "value=\"45.5\"/>"
       "<float name=\"nearClip\" value=\"0.5\"/><float name=\"farClip\" value=\"1e6\"/>"
-      "<transform name=\"toWorld\"><scale value=\"-1 1 1\"/><translate value=\"1 2 3\"/></transform>");
+      "<transform name=\"toWorld\"><scale value=\"-1 1 1\"/><translate value=\"1 2 "
+      "3\"/></transform>");
   EXPECT_EQ(c.width, 7);
   EXPECT_EQ(c.height, 5);
   EXPECT_EQ(c.fov, 45.5);
@@ -64,18 +70,18 @@ TEST_F(SceneTest, CameraProperties) {
 }
 
 TEST_F(SceneTest, Filters) {
-  const auto gaussian =
-      std::get<GaussianFilter>(read_filter("<rfilter type=\"gaussian\"><float name=\"radius\" "
-                                           "value=\"3\"/><float name=\"stddev\" value=\"0.7\"/></rfilter>"));
+  const auto gaussian = std::get<GaussianFilter>(
+      read_filter("<rfilter type=\"gaussian\"><float name=\"radius\" "
+                  "value=\"3\"/><float name=\"stddev\" value=\"0.7\"/></rfilter>"));
   EXPECT_EQ(gaussian.radius, 3);
   EXPECT_EQ(gaussian.stddev, 0.7);
   const auto plain = std::get<MitchellFilter>(read_filter("<rfilter type=\"mitchell\"/>"));
   EXPECT_EQ(plain.radius, 2);
   EXPECT_DOUBLE_EQ(plain.b, 1.0 / 3);
   EXPECT_DOUBLE_EQ(plain.c, 1.0 / 3);
-  const auto mitchell =
-      std::get<MitchellFilter>(read_filter("<rfilter type=\"mitchell\"><float name=\"B\" value=\"0\"/><float "
-                                           "name=\"C\" value=\"0.5\"/></rfilter>"));
+  const auto mitchell = std::get<MitchellFilter>(
+      read_filter("<rfilter type=\"mitchell\"><float name=\"B\" value=\"0\"/><float "
+                  "name=\"C\" value=\"0.5\"/></rfilter>"));
   EXPECT_EQ(mitchell.b, 0);
   EXPECT_EQ(mitchell.c, 0.5);
   EXPECT_TRUE(std::holds_alternative<TentFilter>(read_filter("<rfilter type=\"tent\"/>")));
@@ -90,7 +96,8 @@ TEST_F(SceneTest, SamplerDefaultsAndProperties) {
   EXPECT_EQ(plain.sampler, Sampler::independent);
   EXPECT_EQ(read_body("<sampler type=\"sobol\"/>").sampler, Sampler::sobol);
   const Scene scene = read_body(
-      "<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"33\"/><integer name=\"seed\" "
+      "<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"33\"/><integer "
+      "name=\"seed\" "
       "value=\"9\"/>"
       "</sampler>");
   EXPECT_EQ(scene.sample_count, 33);
@@ -113,8 +120,8 @@ TEST_F(SceneTest, IntegratorExtensions) {
       "<string name=\"heuristic\" value=\"power\"/></integrator>");
   EXPECT_EQ(scene.integrator.interaction_limit(), 4);
   EXPECT_EQ(scene.integrator.heuristic, Heuristic::power);
-  const Scene direct =
-      read_body("<integrator type=\"direct_mis\"><integer name=\"maxDepth\" value=\"4\"/></integrator>");
+  const Scene direct = read_body(
+      "<integrator type=\"direct_mis\"><integer name=\"maxDepth\" value=\"4\"/></integrator>");
   EXPECT_EQ(direct.integrator.interaction_limit(), 1);
 }
 
@@ -132,9 +139,9 @@ TEST_F(SceneTest, MeshDefaults) {
 TEST_F(SceneTest, EveryMeshHasItsOwnPartners) {
   const std::string file = "<string name=\"filename\" value=\"triangle.obj\"/>";
   const std::string light = "<emitter type=\"area\"/>";
-  const Scene scene =
-      read_body("<mesh type=\"obj\">" + file + "</mesh><emitter type=\"environment\"/><mesh type=\"obj\">" +
-                light + file + "<bsdf type=\"roughconductor\"/></mesh>");
+  const Scene scene = read_body("<mesh type=\"obj\">" + file +
+                                "</mesh><emitter type=\"environment\"/><mesh type=\"obj\">" +
+                                light + file + "<bsdf type=\"roughconductor\"/></mesh>");
   ASSERT_EQ(scene.meshes.size(), 2U);
   ASSERT_EQ(scene.emitters.size(), 2U);
   EXPECT_EQ(scene.meshes[0].emitter, none);
@@ -145,8 +152,8 @@ TEST_F(SceneTest, EveryMeshHasItsOwnPartners) {
 }
 
 TEST_F(SceneTest, MeshesArePlacedInTheWorld) {
-  const Scene scene =
-      read_mesh("<transform name=\"toWorld\"><scale value=\"2\"/><translate value=\"0 0 5\"/></transform>");
+  const Scene scene = read_mesh(
+      "<transform name=\"toWorld\"><scale value=\"2\"/><translate value=\"0 0 5\"/></transform>");
   EXPECT_EQ(scene.meshes[0].positions[1], vec3(2, 0, 5));
   EXPECT_EQ(scene.bounds().upper, vec3(2, 2, 5));
 }
@@ -159,7 +166,8 @@ TEST_F(SceneTest, MeshFilesMayLieInFolders) {
 }
 
 TEST_F(SceneTest, AreaEmitter) {
-  EXPECT_EQ(std::get<AreaEmitter>(read_mesh("<emitter type=\"area\"/>").emitters.at(0)).radiance, Color(1));
+  EXPECT_EQ(std::get<AreaEmitter>(read_mesh("<emitter type=\"area\"/>").emitters.at(0)).radiance,
+            Color(1));
   const Scene scene = read_mesh(
       "<emitter type=\"area\"><color name=\"radiance\" value=\"1 2 3\"/><float name=\"scale\" "
       "value=\"10\"/></emitter>");
@@ -167,11 +175,13 @@ TEST_F(SceneTest, AreaEmitter) {
 }
 
 TEST_F(SceneTest, PointLight) {
-  const auto plain = std::get<PointLight>(read_body("<emitter type=\"pointlight\"/>").emitters.at(0));
+  const auto plain =
+      std::get<PointLight>(read_body("<emitter type=\"pointlight\"/>").emitters.at(0));
   EXPECT_EQ(plain.position, vec3(0, 100, 0));
   EXPECT_EQ(plain.intensity, Color(1));
   const Scene scene = read_body(
-      "<emitter type=\"pointlight\"><point name=\"position\" value=\"1, 2, 3\"/><color name=\"radiance\" "
+      "<emitter type=\"pointlight\"><point name=\"position\" value=\"1, 2, 3\"/><color "
+      "name=\"radiance\" "
       "value=\"4 5 "
       "6\"/></emitter><emitter type=\"pointlight\"/>");
   ASSERT_EQ(scene.emitters.size(), 2U);
@@ -200,7 +210,8 @@ TEST_F(SceneTest, ConstantEnvironment) {
   EXPECT_EQ(plain.width, 1);
   EXPECT_EQ(plain.height, 1);
   EXPECT_EQ(plain.texels.at(0), Color(1)) << "without a map nothing is divided by 255";
-  EXPECT_EQ(read_environment("<color name=\"radiance\" value=\"1 2 3\"/>").texels.at(0), Color(1, 2, 3));
+  EXPECT_EQ(read_environment("<color name=\"radiance\" value=\"1 2 3\"/>").texels.at(0),
+            Color(1, 2, 3));
 }
 
 TEST_F(SceneTest, MappedEnvironmentIsDividedBy255UnlessLinear) {
@@ -216,7 +227,8 @@ TEST_F(SceneTest, MappedEnvironmentIsDividedBy255UnlessLinear) {
   EXPECT_FLOAT_EQ(msa.texels.at(5).r, 2);
   EXPECT_FLOAT_EQ(msa.texels.at(5).g, 4);
   EXPECT_EQ(msa.texels.at(0), Color(0)) << "rows stay as in the file";
-  const EnvironmentEmitter linear = read_environment(file + "<string name=\"encoding\" value=\"linear\"/>");
+  const EnvironmentEmitter linear =
+      read_environment(file + "<string name=\"encoding\" value=\"linear\"/>");
   EXPECT_FLOAT_EQ(linear.texels.at(5).r, 510);
 }
 
@@ -224,12 +236,14 @@ TEST_F(SceneTest, LuminanceMapsServeAllChannels) {
   Image map(1, 1, {"Y"});
   map.at(0, 0, 0) = 255;
   write_exr(folder_.file("grey.exr"), map);
-  EXPECT_EQ(read_environment("<string name=\"filename\" value=\"grey.exr\"/>").texels.at(0), Color(1));
+  EXPECT_EQ(read_environment("<string name=\"filename\" value=\"grey.exr\"/>").texels.at(0),
+            Color(1));
 }
 
 TEST_F(SceneTest, CommentsDeclarationsAndNamesOfObjectsChangeNothing) {
   const Scene scene = read(
-      "<?xml version='1.0' encoding='utf-8'?>\r\n<!-- a comment -->\r\n<scene>\r\n<!-- <camera/> -->\r\n"
+      "<?xml version='1.0' encoding='utf-8'?>\r\n<!-- a comment -->\r\n<scene>\r\n<!-- <camera/> "
+      "-->\r\n"
       "<camera type=\"perspective\" name=\"main\"/>\r\n</scene>\r\n");
   EXPECT_EQ(scene.camera.width, 1280);
 }

@@ -45,7 +45,8 @@ class SceneTexturesTest : public ::testing::Test {
   static std::string file(const std::string& name) {
     return "<string name=\"filename\" value=\"" + name + "\"/>";
   }
-  void expect_error(const std::string& children, int line, std::initializer_list<const char*> words) {
+  void expect_error(const std::string& children, int line,
+                    std::initializer_list<const char*> words) {
     const std::string message = test::input_error_of([&] { return read(children); });
     test::expect_message(message, test::place(folder_.file("scene.xml"), line), words);
   }
@@ -54,7 +55,9 @@ class SceneTexturesTest : public ::testing::Test {
                          std::initializer_list<const char*> words) {
     expect_error("<bsdf type=\"" + type + "\">\n" + children + "</bsdf>", line, words);
   }
-  void TearDown() override { EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0]; }
+  void TearDown() override {
+    EXPECT_TRUE(diagnostics_.warnings().empty()) << diagnostics_.warnings()[0];
+  }
 
   test::TemporaryFolder folder_;
   Diagnostics diagnostics_;
@@ -86,7 +89,8 @@ TEST_F(SceneTexturesTest, EveryTexturedParameterTakesOne) {
 }
 
 TEST_F(SceneTexturesTest, WhatHasNoTextureKeepsItsValue) {
-  const Scene scene = read_bsdf("roughconductor", texture("R0") + "<float name=\"alpha\" value=\"0.3\"/>");
+  const Scene scene =
+      read_bsdf("roughconductor", texture("R0") + "<float name=\"alpha\" value=\"0.3\"/>");
   const auto& conductor = std::get<bsdf::RoughConductor>(scene.bsdfs.at(0));
   EXPECT_FALSE(conductor.alpha.is_textured());
   EXPECT_EQ(conductor.alpha.value, 0.3F);
@@ -108,7 +112,8 @@ TEST_F(SceneTexturesTest, Checker) {
   EXPECT_EQ(plain.second, Color(0.1F));
   EXPECT_EQ(plain.scale_x, 1);
   EXPECT_EQ(plain.scale_y, 1);
-  const char* scales = "<integer name=\"scalex\" value=\"8\"/><integer name=\"scaley\" value=\"4\"/>";
+  const char* scales =
+      "<integer name=\"scalex\" value=\"8\"/><integer name=\"scaley\" value=\"4\"/>";
   const auto scaled = read_texture<CheckerTexture>("checker", scales);
   EXPECT_EQ(scaled.scale_x, 8);
   EXPECT_EQ(scaled.scale_y, 4);
@@ -116,10 +121,12 @@ TEST_F(SceneTexturesTest, Checker) {
   const auto one = read_texture<CheckerTexture>("checker", color);
   EXPECT_EQ(one.first, Color(0.3F, 0.4F, 0.5F));
   EXPECT_EQ(one.second, one.first);
-  const auto two = read_texture<CheckerTexture>("checker", color + "<color name=\"color2\" value=\"0.2\"/>");
+  const auto two =
+      read_texture<CheckerTexture>("checker", color + "<color name=\"color2\" value=\"0.2\"/>");
   EXPECT_EQ(two.first, one.first);
   EXPECT_EQ(two.second, Color(0.2F));
-  const auto first = read_texture<CheckerTexture>("checker", "<color name=\"color1\" value=\"0.2\"/>");
+  const auto first =
+      read_texture<CheckerTexture>("checker", "<color name=\"color1\" value=\"0.2\"/>");
   EXPECT_EQ(first.first, Color(0.2F));
   EXPECT_EQ(first.second, Color(0.1F));
 }
@@ -128,15 +135,17 @@ TEST_F(SceneTexturesTest, Bitmap) {
   const auto plain = read_texture<BitmapTexture>("textmap", file("map.png"));
   EXPECT_EQ(plain.width, 2);
   EXPECT_EQ(plain.height, 1);
-  EXPECT_EQ(plain.texels, (std::vector<std::uint32_t>{0x0000ffU, 0xbc0000U})) << "0.5 is 188 in sRGB";
+  EXPECT_EQ(plain.texels, (std::vector<std::uint32_t>{0x0000ffU, 0xbc0000U}))
+      << "0.5 is 188 in sRGB";
   EXPECT_FALSE(plain.srgb);
   EXPECT_EQ(plain.factor, Color(1));
   EXPECT_EQ(plain.scale_x, 1);
   EXPECT_EQ(plain.scale_y, 1);
   const auto scaled = read_texture<BitmapTexture>(
-      "textmap", file("map.png") +
-                     "<color name=\"color\" value=\"0.1 0.2 0.3\"/><float name=\"scalex\" value=\"2.5\"/>"
-                     "<integer name=\"scaley\" value=\"-3\"/><boolean name=\"srgb\" value=\"true\"/>");
+      "textmap",
+      file("map.png") +
+          "<color name=\"color\" value=\"0.1 0.2 0.3\"/><float name=\"scalex\" value=\"2.5\"/>"
+          "<integer name=\"scaley\" value=\"-3\"/><boolean name=\"srgb\" value=\"true\"/>");
   EXPECT_TRUE(scaled.srgb);
   EXPECT_EQ(scaled.factor, Color(0.1F, 0.2F, 0.3F));
   EXPECT_EQ(scaled.scale_x, 2.5F);
@@ -160,22 +169,26 @@ TEST_F(SceneTexturesTest, NamesThatAreNone) {
   expect_bsdf_error("mirror", texture("albedo"), 4, {"mirror", "cannot hold a <texture>"});
   expect_bsdf_error("roughconductor", texture("ka"), 4, {"no parameter \"ka\""});
   expect_bsdf_error("diffuse", texture("albedo", "chequer"), 4, {"did you mean \"checker\"?"});
-  expect_bsdf_error("diffuse", texture("albedo", "checker", "\n" + texture("color")), 5, {"cannot"});
+  expect_bsdf_error("diffuse", texture("albedo", "checker", "\n" + texture("color")), 5,
+                    {"cannot"});
 }
 
 TEST_F(SceneTexturesTest, TwoValuesForOneParameter) {
   const std::string color = "<color name=\"albedo\" value=\"1\"/>\n";
   expect_bsdf_error("diffuse", color + texture("albedo"), 5,
                     {"\"albedo\"", "as a property and as a texture"});
-  expect_bsdf_error("diffuse", texture("albedo") + texture("albedo"), 5, {"\"albedo\"", "given twice"});
+  expect_bsdf_error("diffuse", texture("albedo") + texture("albedo"), 5,
+                    {"\"albedo\"", "given twice"});
   const std::string ka = "<color name=\"ka\" value=\"1\"/>\n";
-  expect_bsdf_error("roughdielectric", texture("m_ka") + ka, 5, {"\"ka\"", "\"m_ka\"", "another name"});
-  expect_bsdf_error("roughdielectric", texture("ka") + texture("m_ka"), 3, {"\"ka\"", "another name"});
+  expect_bsdf_error("roughdielectric", texture("m_ka") + ka, 5,
+                    {"\"ka\"", "\"m_ka\"", "another name"});
+  expect_bsdf_error("roughdielectric", texture("ka") + texture("m_ka"), 3,
+                    {"\"ka\"", "another name"});
   expect_bsdf_error("roughconductor", texture("alpha") + "<float name=\"alpha\" value=\"0.1\"/>", 4,
                     {"\"alpha\"", "as a property and as a texture"});
-  expect_error(
-      "<emitter type=\"area\"><color name=\"radiance\" value=\"1\"/>\n" + texture("radiance") + "</emitter>",
-      4, {"\"radiance\"", "as a property and as a texture"});
+  expect_error("<emitter type=\"area\"><color name=\"radiance\" value=\"1\"/>\n" +
+                   texture("radiance") + "</emitter>",
+               4, {"\"radiance\"", "as a property and as a texture"});
 }
 
 TEST_F(SceneTexturesTest, AColourOfTheLabsTextureNameIsUnknown) {
@@ -187,27 +200,35 @@ TEST_F(SceneTexturesTest, AColourOfTheLabsTextureNameIsUnknown) {
 }
 
 TEST_F(SceneTexturesTest, ValuesOutOfRange) {
-  const auto checker = [](const std::string& properties) { return texture("albedo", "checker", properties); };
+  const auto checker = [](const std::string& properties) {
+    return texture("albedo", "checker", properties);
+  };
   expect_bsdf_error("diffuse", checker("<color name=\"color1\" value=\"0 1.5 0\"/>"), 4,
                     {"checker", "1.5", "\"albedo\" lies between 0 and 1"});
   expect_bsdf_error("diffuse", checker("\n<color name=\"color\" value=\"-1\"/>"), 5, {"negative"});
-  expect_bsdf_error("diffuse", checker("<integer name=\"scalex\" value=\"0\"/>"), 4, {"\"scalex\"", "is 0"});
-  expect_bsdf_error("diffuse", checker("<float name=\"scalex\" value=\"2\"/>"), 4, {"must be a <integer>"});
+  expect_bsdf_error("diffuse", checker("<integer name=\"scalex\" value=\"0\"/>"), 4,
+                    {"\"scalex\"", "is 0"});
+  expect_bsdf_error("diffuse", checker("<float name=\"scalex\" value=\"2\"/>"), 4,
+                    {"must be a <integer>"});
   const auto map = [](const std::string& properties) {
     return texture("albedo", "textmap", file("map.png") + properties);
   };
-  expect_bsdf_error("diffuse", map("<color name=\"color\" value=\"2\"/>"), 4, {"textmap", "reaches 2"});
-  expect_bsdf_error("diffuse", map("<float name=\"scaley\" value=\"1e30\"/>"), 4, {"\"scaley\"", "1e+30"});
+  expect_bsdf_error("diffuse", map("<color name=\"color\" value=\"2\"/>"), 4,
+                    {"textmap", "reaches 2"});
+  expect_bsdf_error("diffuse", map("<float name=\"scaley\" value=\"1e30\"/>"), 4,
+                    {"\"scaley\"", "1e+30"});
   expect_bsdf_error("diffuse", map("<boolean name=\"srgb\" value=\"yes\"/>"), 4,
                     {"\"srgb\"", "true or false"});
   expect_error("<emitter type=\"area\"><float name=\"scale\" value=\"1e20\"/>\n" +
-                   texture("radiance", "checker", "<color name=\"color\" value=\"1e20\"/>") + "</emitter>",
+                   texture("radiance", "checker", "<color name=\"color\" value=\"1e20\"/>") +
+                   "</emitter>",
                4, {"checker", "1e+20", "\"radiance\""});
 }
 
 TEST_F(SceneTexturesTest, Files) {
   expect_bsdf_error("diffuse", texture("albedo", "textmap"), 4, {"\"filename\"", "missing"});
-  expect_bsdf_error("diffuse", texture("albedo", "textmap", "\n" + file("none.png")), 5, {"none.png"});
+  expect_bsdf_error("diffuse", texture("albedo", "textmap", "\n" + file("none.png")), 5,
+                    {"none.png"});
   expect_bsdf_error("diffuse", texture("albedo", "textmap", file("triangle.obj")), 4,
                     {"triangle.obj", "PNG"});
 }
@@ -218,7 +239,8 @@ EnvironmentEmitter read_environment(const test::TemporaryFolder& folder, const I
   const Scene scene = read_scene(
       folder.write(
           "scene.xml",
-          "<scene><camera type=\"perspective\"/><emitter type=\"environment\"><string name=\"filename\" "
+          "<scene><camera type=\"perspective\"/><emitter type=\"environment\"><string "
+          "name=\"filename\" "
           "value=\"sky.exr\"/><string name=\"encoding\" value=\"linear\"/></emitter></scene>"),
       diagnostics);
   return std::get<EnvironmentEmitter>(scene.emitters.at(0));
@@ -233,7 +255,8 @@ TEST_F(SceneTexturesTest, EnvironmentsOfImpossibleTexelsAreMendedWithOneWarning)
   Diagnostics diagnostics;
   const EnvironmentEmitter e = read_environment(folder_, map, diagnostics);
   ASSERT_EQ(diagnostics.warnings().size(), 1U);
-  EXPECT_NE(diagnostics.warnings()[0].find("3 texels"), std::string::npos) << diagnostics.warnings()[0];
+  EXPECT_NE(diagnostics.warnings()[0].find("3 texels"), std::string::npos)
+      << diagnostics.warnings()[0];
   EXPECT_EQ(e.texels[0], Color(0));
   EXPECT_EQ(e.texels[1], Color(0));
   EXPECT_EQ(e.texels[2], Color(0, 0, 7));
@@ -242,7 +265,8 @@ TEST_F(SceneTexturesTest, EnvironmentsOfImpossibleTexelsAreMendedWithOneWarning)
 
 TEST_F(SceneTexturesTest, EnvironmentsHaveChannelsOfManyNames) {
   for (const auto& [channels, red] :
-       {std::pair(std::vector<std::string>{"b", "g", "r"}, 2), std::pair(std::vector<std::string>{"Y"}, 0),
+       {std::pair(std::vector<std::string>{"b", "g", "r"}, 2),
+        std::pair(std::vector<std::string>{"Y"}, 0),
         std::pair(std::vector<std::string>{"A", "ViewLayer.Combined.B", "ViewLayer.Combined.G",
                                            "ViewLayer.Combined.R"},
                   3)}) {

@@ -47,7 +47,8 @@ TEST(ShaderSource, main_functions_are_short) {
   for_each_shader([](const std::string& name, const std::string& text) {
     const std::size_t begin = text.find("void main()");
     if (begin == std::string::npos) return;
-    EXPECT_LE(std::count(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n'), 42) << name;
+    EXPECT_LE(std::count(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n'), 42)
+        << name;
   });
 }
 

@@ -22,7 +22,8 @@ std::string text_of(std::span<const std::uint32_t> words) {
 
 using Offsets = std::map<std::string, std::size_t>;
 
-/// Offsets of the members of every struct with a layout, by name; the same name always has the same offsets.
+/// Offsets of the members of every struct with a layout, by name; the same name always has the same
+/// offsets.
 std::map<std::string, Offsets> reflect(std::span<const std::uint32_t> words) {
   std::map<std::uint32_t, std::string> names;
   std::map<std::uint32_t, std::map<std::uint32_t, std::string>> members;
@@ -70,8 +71,9 @@ const std::map<std::string, Offsets>& expected_offsets() {
         FACET_OFFSET(HitRecord, b2)}},
       {"PathRecord", {FACET_OFFSET(PathRecord, throughput), FACET_OFFSET(PathRecord, radiance)}},
       {"FilmRecord",
-       {FACET_OFFSET(FilmRecord, hi_r), FACET_OFFSET(FilmRecord, hi_g), FACET_OFFSET(FilmRecord, hi_b),
-        FACET_OFFSET(FilmRecord, samples), FACET_OFFSET(FilmRecord, lo_r), FACET_OFFSET(FilmRecord, lo_g),
+       {FACET_OFFSET(FilmRecord, hi_r), FACET_OFFSET(FilmRecord, hi_g),
+        FACET_OFFSET(FilmRecord, hi_b), FACET_OFFSET(FilmRecord, samples),
+        FACET_OFFSET(FilmRecord, lo_r), FACET_OFFSET(FilmRecord, lo_g),
         FACET_OFFSET(FilmRecord, lo_b), FACET_OFFSET(FilmRecord, nonzero)}},
       {"EvaluationRecord",
        {FACET_OFFSET(EvaluationRecord, wo), FACET_OFFSET(EvaluationRecord, count),

@@ -17,14 +17,15 @@ namespace {
 std::uint32_t cell(std::uint32_t word, int bits) { return bits == 0 ? 0 : word >> (32 - bits); }
 
 /// Whether every box of 2^-a by 2^-(k - a) holds exactly one of the 2^k samples from `first` on.
-bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pair, std::uint32_t first,
-            int k) {
+bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pair,
+            std::uint32_t first, int k) {
   const std::uint32_t count = 1U << k;
   for (int a = 0; a <= k; ++a) {
     std::vector<bool> full(count, false);
     for (std::uint32_t i = 0; i < count; ++i) {
       const shared::uvec4 words = shared::sobol_block(pixel, first + i, block, seed);
-      const std::size_t box = cell(words[2 * pair], a) << (k - a) | cell(words[2 * pair + 1], k - a);
+      const std::size_t box =
+          cell(words[2 * pair], a) << (k - a) | cell(words[2 * pair + 1], k - a);
       if (full[box]) return false;
       full[box] = true;
     }
@@ -33,12 +34,15 @@ bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pa
 }
 
 TEST(Sobol, aligned_runs_of_samples_are_nets_in_each_pair) {
-  for (const auto& [pixel, block, seed] :
-       {std::array{0U, 0U, 0U}, {1U, 0U, 0U}, {479999U, 17U, 5U}, {77U, 0x80000003U, 4000000000U}}) {
+  for (const auto& [pixel, block, seed] : {std::array{0U, 0U, 0U},
+                                           {1U, 0U, 0U},
+                                           {479999U, 17U, 5U},
+                                           {77U, 0x80000003U, 4000000000U}}) {
     for (int pair = 0; pair < 2; ++pair) {
       for (int k = 0; k <= 10; ++k) {
         for (const std::uint32_t run : {0U, 1U, 2U, 3U, 1048575U})
-          EXPECT_TRUE(is_net(pixel, block, seed, pair, run << k, k)) << pixel << ' ' << block << ' ' << k;
+          EXPECT_TRUE(is_net(pixel, block, seed, pair, run << k, k))
+              << pixel << ' ' << block << ' ' << k;
       }
     }
   }
@@ -58,8 +62,8 @@ TEST(Sobol, bits_are_reversed) {
   EXPECT_EQ(shared::reversed_bits(0x12345678U), 0x1e6a2c48U);
 }
 
-// Owen's scrambling: among the results of inputs that agree in their low n bits, so do the low n bits; and
-// the next bit is as often turned as not, whatever the seed.
+// Owen's scrambling: among the results of inputs that agree in their low n bits, so do the low n
+// bits; and the next bit is as often turned as not, whatever the seed.
 TEST(Sobol, hash_is_nested_and_unbiased) {
   std::array<int, 32> turned{};
   constexpr int trials = 4000;
@@ -67,14 +71,17 @@ TEST(Sobol, hash_is_nested_and_unbiased) {
     const shared::uvec4 r = shared::pcg4d({static_cast<std::uint32_t>(i), 1, 2, 3});
     for (int bit = 0; bit < 32; ++bit) {
       const std::uint32_t other = r.x ^ (1U << bit);
-      const std::uint32_t difference = shared::laine_karras(r.x, r.y) ^ shared::laine_karras(other, r.y);
+      const std::uint32_t difference =
+          shared::laine_karras(r.x, r.y) ^ shared::laine_karras(other, r.y);
       ASSERT_EQ(difference << (31 - bit), 0x80000000U) << bit;
       turned.at(static_cast<std::size_t>(bit)) +=
           static_cast<int>((shared::laine_karras(r.x, r.y) ^ r.x) >> bit & 1U);
     }
   }
-  const double critical = statistics::two_sided_normal_quantile(statistics::sidak_significance(0.01, 32));
-  for (const int count : turned) EXPECT_LT(std::abs(count - trials / 2) / std::sqrt(trials / 4.0), critical);
+  const double critical =
+      statistics::two_sided_normal_quantile(statistics::sidak_significance(0.01, 32));
+  for (const int count : turned)
+    EXPECT_LT(std::abs(count - trials / 2) / std::sqrt(trials / 4.0), critical);
 }
 
 /// One component of the numbers of a sample, in [0, 1).
@@ -106,14 +113,15 @@ Correlation correlation(const Numbers& a, const Numbers& b) {
   return result;
 }
 
-// Shuffled apart, pairs are as good as independent. (The shuffle keeps runs together, which leaves the square
-// above 1: two halves of a run of two lie in different halves of every axis.)
+// Shuffled apart, pairs are as good as independent. (The shuffle keeps runs together, which leaves
+// the square above 1: two halves of a run of two lie in different halves of every axis.)
 TEST(Sobol, pairs_blocks_pixels_and_seeds_are_uncorrelated) {
   const Numbers first = component(0, 4, 9, 0);
   const std::vector<Numbers> others{
-      component(0, 4, 9, 2),  component(0, 4, 9, 3),  component(0, 5, 9, 0),          component(0, 5, 9, 1),
-      component(0, 5, 9, 2),  component(0, 5, 9, 3),  component(1, 4, 9, 0),          component(1, 4, 9, 1),
-      component(0, 4, 10, 0), component(0, 4, 10, 1), component(0, 0x80000004U, 9, 0)};
+      component(0, 4, 9, 2),  component(0, 4, 9, 3),          component(0, 5, 9, 0),
+      component(0, 5, 9, 1),  component(0, 5, 9, 2),          component(0, 5, 9, 3),
+      component(1, 4, 9, 0),  component(1, 4, 9, 1),          component(0, 4, 10, 0),
+      component(0, 4, 10, 1), component(0, 0x80000004U, 9, 0)};
   const double critical =
       statistics::two_sided_normal_quantile(statistics::sidak_significance(0.01, others.size()));
   for (std::size_t i = 0; i < others.size(); ++i) {

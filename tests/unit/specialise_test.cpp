@@ -1,5 +1,5 @@
-// Kernels are specialised as their constants say, and stay valid SPIR-V whatever those are. That they compute
-// the same as they did is tests/unit/invariance_test.cpp's.
+// Kernels are specialised as their constants say, and stay valid SPIR-V whatever those are. That
+// they compute the same as they did is tests/unit/invariance_test.cpp's.
 #include "gpu/specialise.h"
 
 #include <gtest/gtest.h>
@@ -22,12 +22,13 @@ using Code = std::vector<std::uint32_t>;
 std::string complaints(const Code& code) {
   std::string text;
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-  tools.SetMessageConsumer(
-      [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) { text += message; });
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&,
+                               const char* message) { text += message; });
   return tools.Validate(code) ? "" : "invalid: " + text;
 }
 
-/// A kernel: x = (feature && count > 2) ? a a : slow(a), and a loop that ends at once where `once` is set.
+/// A kernel: x = (feature && count > 2) ? a a : slow(a), and a loop that ends at once where `once`
+/// is set.
 Code example() {
   const std::string text = R"(
                OpCapability Shader

@@ -1,5 +1,5 @@
-// What traversal costs, counted instead of timed: a tree that grows worse, or a kernel that grows, fails here
-// on any machine.
+// What traversal costs, counted instead of timed: a tree that grows worse, or a kernel that grows,
+// fails here on any machine.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -33,7 +33,9 @@ struct Counts {
 /// Walks the tree as the kernels do, nearest children first, in double.
 class Walk {
  public:
-  Walk(const PackedScene& packed, const Ray& ray) : packed_(packed), ray_(ray) { visit(shared::ROOT_ITEM); }
+  Walk(const PackedScene& packed, const Ray& ray) : packed_(packed), ray_(ray) {
+    visit(shared::ROOT_ITEM);
+  }
 
   Hit hit;
   Counts counts;
@@ -62,7 +64,8 @@ class Walk {
 
   void visit_leaf(std::size_t item) {
     ++counts.leaves;
-    for (std::uint32_t half = 0; half < 2; ++half) intersect(static_cast<std::uint32_t>(2 * item) + half);
+    for (std::uint32_t half = 0; half < 2; ++half)
+      intersect(static_cast<std::uint32_t>(2 * item) + half);
   }
 
   /// T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
@@ -89,7 +92,8 @@ class Walk {
         const int exponent = static_cast<int>(node.origin_exponents.w >> (8 * a) & 255U) - 127;
         const double origin = std::bit_cast<float>(node.origin_exponents[a]);
         const auto plane = [&](glm::uint planes) {
-          const double at = origin + std::ldexp(static_cast<double>(planes >> (8 * c) & 255U), exponent);
+          const double at =
+              origin + std::ldexp(static_cast<double>(planes >> (8 * c) & 255U), exponent);
           return (at - ray_.origin[a]) / ray_.direction[a];
         };
         const double lower_t = plane(node.lower_header[a]);
@@ -106,8 +110,8 @@ class Walk {
   const Ray& ray_;
 };
 
-/// Mean visits of rays from the camera, and of rays that leave their hits in all directions of the upper
-/// half.
+/// Mean visits of rays from the camera, and of rays that leave their hits in all directions of the
+/// upper half.
 struct MeanCounts {
   Counts camera;
   Counts bounce;
@@ -166,8 +170,8 @@ TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
   for (const std::size_t triangles : {1000U, 70'000U, 300'000U}) {
     const Scene scene = bench::generate_scene(triangles);
     const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
-    const auto bytes =
-        static_cast<double>(packed.bvh.items.size() * (sizeof(shared::BvhItem) + sizeof(shared::PairRecord)));
+    const auto bytes = static_cast<double>(packed.bvh.items.size() *
+                                           (sizeof(shared::BvhItem) + sizeof(shared::PairRecord)));
     EXPECT_LE(bytes / static_cast<double>(packed.triangle_count()), 53) << triangles;
   }
 }
@@ -179,8 +183,8 @@ std::uint32_t depth_of(const BinaryBvh& bvh, BinaryBvh::Node node) {
   return 1 + std::max(depth_of(bvh, bvh.first(node)), depth_of(bvh, bvh.second(node)));
 }
 
-/// Triangles in a row, each a twentieth as far away as the one before: whatever the bins, one is split off at
-/// a time.
+/// Triangles in a row, each a twentieth as far away as the one before: whatever the bins, one is
+/// split off at a time.
 TEST(TraversalCost, no_input_makes_a_tree_deeper_than_the_stack) {
   UnfilledVector<BvhPrimitive> primitives;
   float x = 1e37F;
@@ -193,7 +197,8 @@ TEST(TraversalCost, no_input_makes_a_tree_deeper_than_the_stack) {
 }
 
 TEST(TraversalCost, kernels_have_no_more_instructions_than_they_had) {
-  for (const auto& [kernel, most] : {std::pair(Kernel::closest, 4690U), std::pair(Kernel::any, 4400U)}) {
+  for (const auto& [kernel, most] :
+       {std::pair(Kernel::closest, 4690U), std::pair(Kernel::any, 4400U)}) {
     std::size_t count = 0;
     for_each_instruction(
         kernel_code(kernel, GeometryFetch::texel_buffer),

@@ -51,15 +51,17 @@ struct Comparison {
   std::string first;
 };
 
-/// A kernel's hit is right if its triangle is hit there in exact arithmetic up to rounding, and nothing
-/// clearly inside a triangle is clearly nearer. `slack` bounds rounding: of t relative to t, and of
-/// whether barycentric weights are inside; what the weights are is bounded by ten times as much.
+/// A kernel's hit is right if its triangle is hit there in exact arithmetic up to rounding, and
+/// nothing clearly inside a triangle is clearly nearer. `slack` bounds rounding: of t relative to
+/// t, and of whether barycentric weights are inside; what the weights are is bounded by ten times
+/// as much.
 std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit, std::uint32_t id,
                       const std::vector<std::array<dvec3, 3>>& triangles, double slack) {
   Candidate nearest;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const Candidate c = intersect(ray, triangles[i], i);
-    if (c.id != none && c.margin > slack && c.t > ray.origin.w && c.t < ray.direction.w && c.t < nearest.t)
+    if (c.id != none && c.margin > slack && c.t > ray.origin.w && c.t < ray.direction.w &&
+        c.t < nearest.t)
       nearest = c;
   }
   if (hit.triangle == none)
@@ -73,11 +75,13 @@ std::string check_hit(const shared::RayRecord& ray, const shared::HitRecord& hit
       std::abs(own.b2 - static_cast<double>(hit.b2)) > 10 * slack)
     return fmt::format("weights {}, {} instead of {}, {}", hit.b1, hit.b2, own.b1, own.b2);
   if (nearest.t < own.t - tolerance)
-    return fmt::format("triangle {} at {} is nearer than {} at {}", nearest.id, nearest.t, id, own.t);
+    return fmt::format("triangle {} at {} is nearer than {} at {}", nearest.id, nearest.t, id,
+                       own.t);
   return "";
 }
 
-Comparison compare_with_brute_force(const Scene& scene, double slack, bool storage_buffers = false) {
+Comparison compare_with_brute_force(const Scene& scene, double slack,
+                                    bool storage_buffers = false) {
   RenderSettings settings = whole_image(scene, 1);
   settings.force_storage_buffers = storage_buffers;
   const PackedScene packed = pack_scene(scene, settings);
@@ -93,7 +97,8 @@ Comparison compare_with_brute_force(const Scene& scene, double slack, bool stora
   std::vector<std::string> complaints(rays.size());
   parallel_for(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t id = hits[i].triangle == none ? none : packed.scene_index(hits[i].triangle);
+      const std::uint32_t id =
+          hits[i].triangle == none ? none : packed.scene_index(hits[i].triangle);
       complaints[i] = check_hit(rays[i], hits[i], id, triangles, slack);
     }
   });
@@ -127,8 +132,10 @@ TEST_P(ShippedScene, camera_rays_hit_what_brute_force_hits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Traversal, ShippedScene,
-                         testing::Values("cbox/cbox_conductors_mis.xml", "veach_mi/veach_mi_mis.xml",
-                                         "serapis/serapis_rough_mis.xml", "furnace/furnace_050.xml"));
+                         testing::Values("cbox/cbox_conductors_mis.xml",
+                                         "veach_mi/veach_mi_mis.xml",
+                                         "serapis/serapis_rough_mis.xml",
+                                         "furnace/furnace_050.xml"));
 
 Scene triangle_soup(std::uint32_t seed, int count, float size, float stretch) {
   std::mt19937 engine(seed);
@@ -157,8 +164,8 @@ TEST(Traversal, huge_triangles_through_each_other) {
   expect_right_hits(triangle_soup(3, 300, 10, 1), 1e-4, 1000);
 }
 
-/// Squares of two triangles whose vertices are in every order, so that any edge is the common one, wound any
-/// way.
+/// Squares of two triangles whose vertices are in every order, so that any edge is the common one,
+/// wound any way.
 TEST(Traversal, pairs_of_triangles_in_every_order) {
   std::array<int, 3> p{0, 1, 2};
   std::vector<vec3> corners;
@@ -212,7 +219,8 @@ TEST(Traversal, triangles_name_their_meshes_even_in_pairs_of_two_meshes) {
 TEST(Traversal, a_thousand_coincident_triangles) {
   Scene scene = make_scene("normals");
   std::vector<vec3> corners;
-  for (int i = 0; i < 1000; ++i) corners.insert(corners.end(), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  for (int i = 0; i < 1000; ++i)
+    corners.insert(corners.end(), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
   add_mesh(scene, make_mesh(corners), bsdf::Diffuse{});
   set_camera(scene, 32, 40, {0, 0, -3}, {0, 0, 0});
   expect_right_hits(scene, 1e-4, 100);
@@ -277,8 +285,8 @@ Mesh make_fan(int count) {
   return make_mesh(corners);
 }
 
-/// Boxes of long triangles that point everywhere hold most of the disc: a ray would meet a quarter of them,
-/// more than a traversal can visit.
+/// Boxes of long triangles that point everywhere hold most of the disc: a ray would meet a quarter
+/// of them, more than a traversal can visit.
 TEST(Traversal, fans_are_traversed_whole_and_found_to_be_what_they_are) {
   constexpr int count = 100'000;
   Scene scene = make_scene("direct_mats");

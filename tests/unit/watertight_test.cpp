@@ -1,4 +1,5 @@
-// No ray leaks out of a closed mesh, and no body shadows itself, whatever the shape of its triangles.
+// No ray leaks out of a closed mesh, and no body shadows itself, whatever the shape of its
+// triangles.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -74,7 +75,8 @@ Scene alone(const Mesh& mesh) {
 
 TEST(SelfIntersection, a_convex_body_never_shadows_itself) {
   for (const float size : {1e-6F, 1.0F, 1e6F}) {
-    for (const vec3& centre : {vec3(0), vec3(size, 0, 0), vec3(300 * size, -1000 * size, 50 * size)}) {
+    for (const vec3& centre :
+         {vec3(0), vec3(size, 0, 0), vec3(300 * size, -1000 * size, 50 * size)}) {
       for (Mesh mesh : {make_sphere(1, false), make_sphere(5, false)}) {
         transform(mesh, size, centre);
         Scene scene = alone(mesh);
@@ -120,8 +122,8 @@ Mesh make_pole(float radius) {
   return make_mesh(corners);
 }
 
-/// The square of side 1 in the plane z = 0, tilted, in strips along y. flat: each is cut so that it has
-/// triangles whose third corner nearly lies on the opposite edge; else by a diagonal.
+/// The square of side 1 in the plane z = 0, tilted, in strips along y. flat: each is cut so that it
+/// has triangles whose third corner nearly lies on the opposite edge; else by a diagonal.
 Scene strips(int count, bool flat) {
   std::vector<vec3> corners;
   for (int i = 0; i < count; ++i) {
@@ -143,14 +145,15 @@ Scene strips(int count, bool flat) {
   return scene;
 }
 
-// The weights of a hit err by 2^-24 times the triangle's length over its width: where these told the
-// distance, a pole of radius 0.05 lost 4 % of its light to itself, a sheet of 1000 strips 14 %.
+// The weights of a hit err by 2^-24 times the triangle's length over its width: where these told
+// the distance, a pole of radius 0.05 lost 4 % of its light to itself, a sheet of 1000 strips 14 %.
 TEST(SelfIntersection, thin_triangles_never_shadow_themselves) {
   for (const int count : {100, 300, 1000, 10000})
     EXPECT_EQ(count_dark(strips(count, false), by_kernels(16), 10000), 0U) << count << " strips";
   EXPECT_EQ(count_dark(strips(1000, false), by_reference(8), 10000), 0U) << "reference";
   for (const int count : {100, 500})
-    EXPECT_EQ(count_dark(strips(count, true), by_kernels(16), 10000), 0U) << count << " flat strips";
+    EXPECT_EQ(count_dark(strips(count, true), by_kernels(16), 10000), 0U)
+        << count << " flat strips";
   for (const float radius : {0.05F, 0.01F}) {
     for (const bool tilt : {false, true}) {
       Mesh mesh = make_pole(radius);
@@ -159,7 +162,8 @@ TEST(SelfIntersection, thin_triangles_never_shadow_themselves) {
       }
       Scene scene = alone(mesh);
       const vec3 eye = tilt ? tilted(vec3(24, 16, 0) * radius) : vec3(24, 16, 0) * radius;
-      set_camera(scene, 64, 4, dvec3(eye), {0, 0, 0}, tilt ? dvec3(tilted({0, 0, 1})) : dvec3(0, 0, 1));
+      set_camera(scene, 64, 4, dvec3(eye), {0, 0, 0},
+                 tilt ? dvec3(tilted({0, 0, 1})) : dvec3(0, 0, 1));
       EXPECT_EQ(count_dark(scene, by_kernels(16), 10000), 0U) << radius << " " << tilt;
     }
   }

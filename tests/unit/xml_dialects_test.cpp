@@ -22,7 +22,8 @@ class XmlDialectsTest : public ::testing::Test {
   }
   void expect_error(const std::string& text, int line, std::initializer_list<const char*> words) {
     SCOPED_TRACE(text);
-    expect_message(input_error_of([&] { return read(text); }), place(folder_.file("scene.xml"), line), words);
+    expect_message(input_error_of([&] { return read(text); }),
+                   place(folder_.file("scene.xml"), line), words);
   }
 
   test::TemporaryFolder folder_;
@@ -34,7 +35,8 @@ std::string widened(std::string_view text, std::size_t size, bool big_endian, bo
   std::string wide;
   const auto add = [&](unsigned unit) {
     for (std::size_t i = 0; i < size; ++i)
-      wide += static_cast<char>(unit >> 8U * static_cast<unsigned>(big_endian ? size - 1 - i : i) & 255U);
+      wide += static_cast<char>(unit >> 8U * static_cast<unsigned>(big_endian ? size - 1 - i : i) &
+                                255U);
   };
   if (with_mark) add(0xFEFF);
   for (const char c : text) add(static_cast<unsigned char>(c));
@@ -43,16 +45,19 @@ std::string widened(std::string_view text, std::size_t size, bool big_endian, bo
 
 TEST_F(XmlDialectsTest, WideEncodingsKeepTheirLines) {
   const std::string good =
-      "<scene>\n\n<camera type=\"perspective\">\n<integer name=\"width\" value=\"7\"/></camera></scene>";
+      "<scene>\n\n<camera type=\"perspective\">\n<integer name=\"width\" "
+      "value=\"7\"/></camera></scene>";
   const std::string bad =
-      "<scene>\n\n<camera type=\"perspective\">\n<integer name=\"width\" value=\"x\"/></camera></scene>";
+      "<scene>\n\n<camera type=\"perspective\">\n<integer name=\"width\" "
+      "value=\"x\"/></camera></scene>";
   for (const std::size_t size : {2U, 4U}) {
     for (const bool big_endian : {false, true}) {
       for (const bool with_mark : {false, true}) {
         SCOPED_TRACE(size);
         EXPECT_EQ(read(widened(good, size, big_endian, with_mark)).camera.width, 7);
         expect_error(widened(bad, size, big_endian, with_mark), 4, {"\"width\"", "\"x\""});
-        expect_error(widened("<scene>\n<camera", size, big_endian, with_mark), 2, {"not well-formed"});
+        expect_error(widened("<scene>\n<camera", size, big_endian, with_mark), 2,
+                     {"not well-formed"});
       }
     }
   }
@@ -63,7 +68,8 @@ TEST_F(XmlDialectsTest, LettersOfEveryEncodingAreThoseOfTheFileName) {
   folder_.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder_.write("\xC3\xA9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto scene_with = [](const std::string& file) {
-    return "<scene><camera type=\"perspective\"/><mesh type=\"obj\"><string name=\"filename\" value=\"" +
+    return "<scene><camera type=\"perspective\"/><mesh type=\"obj\"><string name=\"filename\" "
+           "value=\"" +
            file + "\"/><bsdf type=\"diffuse\"/></mesh></scene>";
   };
   EXPECT_EQ(read(scene_with(name)).meshes.size(), 1U);
@@ -78,29 +84,36 @@ TEST_F(XmlDialectsTest, LettersOfEveryEncodingAreThoseOfTheFileName) {
 
 TEST_F(XmlDialectsTest, BlanksAroundAWordDoNotMatter) {
   const Scene scene = read(
-      "<scene><camera type=\"perspective\"><integer name=\"width\" value=\" 8 \"/><integer name=\"height\" "
+      "<scene><camera type=\"perspective\"><integer name=\"width\" value=\" 8 \"/><integer "
+      "name=\"height\" "
       "value=\"\t9\n\"/><float name=\"fov\" value=\" 40 \"/></camera></scene>");
   EXPECT_EQ(scene.camera.width, 8);
   EXPECT_EQ(scene.camera.height, 9);
   EXPECT_EQ(scene.camera.fov, 40);
   expect_error(
-      "<scene><camera type=\"perspective\">\n<integer name=\"width\" value=\"8 9\"/></camera></scene>", 2,
-      {"\"8 9\"", "not an integer"});
-  expect_error("<scene><camera type=\"perspective\">\n<integer name=\"width\" value=\" \"/></camera></scene>",
-               2, {"not an integer"});
+      "<scene><camera type=\"perspective\">\n<integer name=\"width\" value=\"8 "
+      "9\"/></camera></scene>",
+      2, {"\"8 9\"", "not an integer"});
+  expect_error(
+      "<scene><camera type=\"perspective\">\n<integer name=\"width\" value=\" "
+      "\"/></camera></scene>",
+      2, {"not an integer"});
 }
 
 TEST_F(XmlDialectsTest, AnAttributeStandsOnce) {
   expect_error("<scene>\n<camera type=\"perspective\" type=\"orthographic\"/></scene>", 2,
                {"not well-formed", "<camera>", "\"type\"", "twice"});
-  expect_error("<scene a=\"1\" a=\"1\"><camera type=\"perspective\"/></scene>", 1, {"<scene>", "twice"});
+  expect_error("<scene a=\"1\" a=\"1\"><camera type=\"perspective\"/></scene>", 1,
+               {"<scene>", "twice"});
 }
 
 TEST_F(XmlDialectsTest, EntitiesOfOnesOwnAreRefused) {
-  const std::string start = "<!DOCTYPE scene [<!ENTITY w \"8\">]>\n<scene><camera type=\"perspective\">\n";
+  const std::string start =
+      "<!DOCTYPE scene [<!ENTITY w \"8\">]>\n<scene><camera type=\"perspective\">\n";
   expect_error(start + "<integer name=\"width\" value=\"&w;\"/></camera></scene>", 3,
                {"&w;", "not supported"});
-  EXPECT_EQ(read(start + "<integer name=\"width\" value=\"&#56;\"/></camera></scene>").camera.width, 8);
+  EXPECT_EQ(read(start + "<integer name=\"width\" value=\"&#56;\"/></camera></scene>").camera.width,
+            8);
   // A file may have such a name.
   expect_error(
       "<scene><camera type=\"perspective\"/>\n<mesh type=\"obj\"><string name=\"filename\" "
@@ -128,8 +141,9 @@ TEST_F(XmlDialectsTest, DeepTagsAreNoEndOfTheStack) {
 }
 
 TEST_F(XmlDialectsTest, MessagesAreShortAndWithoutControlCharacters) {
-  const std::string message = input_error_of(
-      [&] { return read("<scene><camera type=\"\x1B[31m" + std::string(100'000, 'x') + "\"/></scene>"); });
+  const std::string message = input_error_of([&] {
+    return read("<scene><camera type=\"\x1B[31m" + std::string(100'000, 'x') + "\"/></scene>");
+  });
   EXPECT_LT(message.size(), 3000U);
   EXPECT_EQ(message.find('\x1B'), std::string::npos);
   EXPECT_NE(message.find("\\x1b[31m"), std::string::npos);

@@ -32,7 +32,8 @@ class XmlValuesTest : public ::testing::Test {
   dvec3 transformed(const std::string& steps, const dvec3& point) {
     return dvec3(transform(steps) * glm::dvec4(point, 1));
   }
-  void expect_error(const std::string& steps, std::initializer_list<const char*> words, int line = 1) {
+  void expect_error(const std::string& steps, std::initializer_list<const char*> words,
+                    int line = 1) {
     const std::string message = input_error_of([&] { return transform(steps); });
     expect_message(message, place(folder_.file("values.xml"), line), words);
   }
@@ -89,7 +90,8 @@ TEST_F(XmlValuesTest, MalformedNumbersAreNamed) {
                            "+",
                            "."}) {
     const std::string message = input_error_of([&] { return numbers(text, 1, 1); });
-    expect_message(message, place(folder_.file("values.xml"), 1), {"<color>", "is not a number", text});
+    expect_message(message, place(folder_.file("values.xml"), 1),
+                   {"<color>", "is not a number", text});
   }
 }
 
@@ -158,21 +160,24 @@ TEST_F(XmlValuesTest, LookatColumnsAreLeftUpDirectionOrigin) {
 }
 
 TEST_F(XmlValuesTest, ImpossibleLookatsAreErrors) {
-  expect_error("<lookat origin=\"1 1 1\" target=\"1 1 1\" up=\"0 1 0\"/>", {"<lookat>", "same point"});
-  expect_error("<lookat origin=\"0 0 0\" target=\"0 3 0\" up=\"0 1 0\"/>", {"<lookat>", "parallel"});
+  expect_error("<lookat origin=\"1 1 1\" target=\"1 1 1\" up=\"0 1 0\"/>",
+               {"<lookat>", "same point"});
+  expect_error("<lookat origin=\"0 0 0\" target=\"0 3 0\" up=\"0 1 0\"/>",
+               {"<lookat>", "parallel"});
   expect_error("<lookat origin=\"0 0 0\" target=\"0 3 0\" up=\"0 0 0\"/>", {"<lookat>", "up"});
   expect_error("<lookat origin=\"0 0 0\" up=\"0 1 0\"/>", {"<lookat>", "lacks", "target"});
 }
 
 TEST_F(XmlValuesTest, UnknownStepsAndTextInTransformsAreErrors) {
-  expect_error("\n<tranlate value=\"0 0 0\"/>", {"<tranlate>", "not a step", "did you mean \"translate\"?"},
-               2);
+  expect_error("\n<tranlate value=\"0 0 0\"/>",
+               {"<tranlate>", "not a step", "did you mean \"translate\"?"}, 2);
   expect_error("\n<scale value=\"2\"/>\nstray", {"stray text"}, 3);
 }
 
 TEST_F(XmlValuesTest, PropertiesAreHandedOutByNameAndType) {
   PropertyReader p = properties(
-      "<float name=\"f\" value=\" 0.25 \"/><integer name=\"i\" value=\"-3\"/><string name=\"s\" value=\"a "
+      "<float name=\"f\" value=\" 0.25 \"/><integer name=\"i\" value=\"-3\"/><string name=\"s\" "
+      "value=\"a "
       "b\"/>"
       "<color name=\"c\" value=\"1,2,3\"/><color name=\"grey\" value=\"0.5\"/>"
       "<transform name=\"t\"><scale value=\"2\"/></transform>");
@@ -215,7 +220,8 @@ TEST_F(XmlValuesTest, MalformedPropertiesAreErrors) {
 
 TEST_F(XmlValuesTest, ColoursAreOneOrThreeNumbers) {
   const auto color = [](PropertyReader& p) { return p.color("c", Color(0)); };
-  expect_property_error("<color name=\"c\" value=\"1 2\"/>", color, {"two numbers", "one or three"});
+  expect_property_error("<color name=\"c\" value=\"1 2\"/>", color,
+                        {"two numbers", "one or three"});
   expect_property_error("<color name=\"c\" value=\"1 2 3 4\"/>", color, {"holds 4 numbers"});
 }
 
@@ -228,8 +234,10 @@ TEST_F(XmlValuesTest, RangesOfPhysicalProperties) {
   const auto reflectance = [](PropertyReader& p) { return p.reflectance("a", Color(0)); };
   const auto alpha = [](PropertyReader& p) { return p.roughness("a", 0.1F); };
   const auto ior = [](PropertyReader& p) { return p.index_of_refraction("a", 1); };
-  expect_property_error("<color name=\"a\" value=\"0.5 1.01 0\"/>", reflectance, {"1.01", "between 0 and 1"});
-  expect_property_error("<color name=\"a\" value=\"-0.1\"/>", reflectance, {"-0.1", "between 0 and 1"});
+  expect_property_error("<color name=\"a\" value=\"0.5 1.01 0\"/>", reflectance,
+                        {"1.01", "between 0 and 1"});
+  expect_property_error("<color name=\"a\" value=\"-0.1\"/>", reflectance,
+                        {"-0.1", "between 0 and 1"});
   expect_property_error("<float name=\"a\" value=\"0\"/>", alpha, {"smooth", "mirror"});
   expect_property_error("<float name=\"a\" value=\"1.5\"/>", alpha, {"1.5", "at most 1"});
   expect_property_error("<float name=\"a\" value=\"0\"/>", ior, {"but must be"});

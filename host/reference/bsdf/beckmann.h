@@ -1,7 +1,8 @@
 #pragma once
-// The Beckmann microfacet distribution in terms of slopes: the NDF is that of a normal law of slopes of
-// variance alpha^2/2 along each axis. P. Beckmann, A. Spizzichino 1963; B. Walter et al. 2007; E. Heitz,
-// "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014.
+// The Beckmann microfacet distribution in terms of slopes: the NDF is that of a normal law of
+// slopes of variance alpha^2/2 along each axis. P. Beckmann, A. Spizzichino 1963; B. Walter et al.
+// 2007; E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT
+// 3(2), 2014.
 #include "reference/bsdf/normal_law.h"
 #include "reference/probe.h"
 
@@ -29,8 +30,8 @@ class Beckmann {
   template <typename Probe>
   Real rational_masking(const Vec3<Real>& w, std::uint64_t which, Probe& probe) const {
     const Real b = probe.nudged(inverse_slope(w));
-    const bool one =
-        probe.decide(DecisionKind::masking, which, b >= Real(1.6), static_cast<double>(b) / 1.6 - 1);
+    const bool one = probe.decide(DecisionKind::masking, which, b >= Real(1.6),
+                                  static_cast<double>(b) / 1.6 - 1);
     if (one) return 1;
     const Real numerator = Real(3.535) * b + Real(2.181) * (b * b);
     return numerator / (1 + Real(2.276) * b + Real(2.577) * (b * b));
@@ -66,12 +67,15 @@ class Beckmann {
     const VisibleSlopes<Real> slopes(sine, w.z);
     const Real along = nudged_slope(slopes.quantile(probe.nudged(std::max(u, least))), probe);
     const Real across = nudged_slope(normal_quantile(std::max(v, least)), probe);
-    return unit(Vec3<Real>(-alpha_ * (ex * along - ey * across), -alpha_ * (ey * along + ex * across), 1));
+    return unit(
+        Vec3<Real>(-alpha_ * (ex * along - ey * across), -alpha_ * (ey * along + ex * across), 1));
   }
 
  private:
   /// 1/(alpha tan(theta)).
-  Real inverse_slope(const Vec3<Real>& w) const { return std::abs(w.z) / (alpha_ * std::hypot(w.x, w.y)); }
+  Real inverse_slope(const Vec3<Real>& w) const {
+    return std::abs(w.z) / (alpha_ * std::hypot(w.x, w.y));
+  }
 
   /// Slopes carry an error relative to 1 and to themselves.
   template <typename Probe>

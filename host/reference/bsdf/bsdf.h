@@ -58,17 +58,19 @@ class AnyBsdf {
   template <typename Probe>
   BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
     if (uniform_ && !delta()) return sample_uniformly(wo, n, probe);
-    BsdfSample<Real> s = std::visit([&](const auto& m) { return m.sample(seen(wo), n, probe); }, model_);
+    BsdfSample<Real> s =
+        std::visit([&](const auto& m) { return m.sample(seen(wo), n, probe); }, model_);
     s.wi = seen(s.wi);
     return s;
   }
 
  private:
-  using Model = decltype(facet::detail::variant_without_first(std::variant<std::monostate
+  using Model =
+      decltype(facet::detail::variant_without_first(std::variant<std::monostate
 #define FACET_TYPE(name, Type, id) , Type<Real>
-                                                                               FACET_BSDF_LIST(FACET_TYPE)
+                                                                     FACET_BSDF_LIST(FACET_TYPE)
 #undef FACET_TYPE
-                                                                           >{}));
+                                                                 >{}));
 
   template <typename Parameters>
   static Model make(const Bsdf& parameters, Parameters& at, LobeSampling sampling) {
@@ -84,7 +86,9 @@ class AnyBsdf {
   }
 
   /// The model's view of a direction.
-  [[nodiscard]] Vec3<Real> seen(const Vec3<Real>& w) const { return {w.x, w.y, turned_ ? -w.z : w.z}; }
+  [[nodiscard]] Vec3<Real> seen(const Vec3<Real>& w) const {
+    return {w.x, w.y, turned_ ? -w.z : w.z};
+  }
 
   template <typename Probe>
   [[nodiscard]] bool has_value(const Vec3<Real>& wi, Probe& probe) const {
@@ -94,10 +98,12 @@ class AnyBsdf {
   [[nodiscard]] Real uniform_pdf() const { return 1 / ((transmits() ? 4 : 2) * pi<Real>); }
 
   template <typename Probe>
-  BsdfSample<Real> sample_uniformly(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+  BsdfSample<Real> sample_uniformly(const Vec3<Real>& wo, const BsdfNumbers<Real>& n,
+                                    Probe& probe) const {
     const Vec3<Real> wi = uniform_direction(n.u, n.v, Real(transmits() ? 2 : 1));
     BsdfSample<Real> s{wi, uniform_pdf(), eval(wo, wi, probe) * (std::abs(wi.z) / uniform_pdf())};
-    if (!is_above(seen(wi), probe)) visit_transmitting(*this, [&](const auto& m) { s.eta2 = m.eta2(); });
+    if (!is_above(seen(wi), probe))
+      visit_transmitting(*this, [&](const auto& m) { s.eta2 = m.eta2(); });
     return s;
   }
 

@@ -12,7 +12,8 @@ class Diffuse {
   static constexpr bool transmits = false;
 
   template <typename Parameters>
-  Diffuse(const bsdf::Diffuse& p, Parameters& at, LobeSampling /*sampling*/) : albedo_(at.color(p.albedo)) {}
+  Diffuse(const bsdf::Diffuse& p, Parameters& at, LobeSampling /*sampling*/)
+      : albedo_(at.color(p.albedo)) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -27,7 +28,8 @@ class Diffuse {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& /*wo*/, const BsdfNumbers<Real>& n, Probe& /*probe*/) const {
+  BsdfSample<Real> sample(const Vec3<Real>& /*wo*/, const BsdfNumbers<Real>& n,
+                          Probe& /*probe*/) const {
     const Vec3<Real> wi = cosine_direction(n.u, n.v);
     return {wi, wi.z / pi<Real>, albedo_};
   }

@@ -16,11 +16,13 @@ template <typename Real>
   return r0 * (1 - m5) + Vec3<Real>(m5);
 }
 
-/// Unpolarised reflectance for light that arrives at cosine c >= 0 from the side of index `from`, in the form
-/// of R. Cook and K. Torrance 1982 (also B. Walter et al. 2007, eq. 22) with g - c written as (g^2 - c^2)/(g
+/// Unpolarised reflectance for light that arrives at cosine c >= 0 from the side of index `from`,
+/// in the form of R. Cook and K. Torrance 1982 (also B. Walter et al. 2007, eq. 22) with g - c
+/// written as (g^2 - c^2)/(g
 /// + c), so that nearly equal indices keep their digits.
 template <typename Real, typename Probe>
-[[nodiscard]] Real dielectric_reflectance(Real c, Real from, Real to, std::uint64_t which, Probe& probe) {
+[[nodiscard]] Real dielectric_reflectance(Real c, Real from, Real to, std::uint64_t which,
+                                          Probe& probe) {
   if (from == to) return 0;
   const Real excess = (to - from) * (to + from) / (from * from);  // eta^2 - 1
   const Real g2 = excess + c * c;
@@ -33,9 +35,9 @@ template <typename Real, typename Probe>
   return std::min(perpendicular * perpendicular * (1 + ratio * ratio) / 2, Real(1));
 }
 
-/// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's amplitudes:
-/// with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c q + s^2), s^2 = 1 -
-/// c^2.
+/// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's
+/// amplitudes: with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c
+/// q + s^2), s^2 = 1 - c^2.
 template <typename Real>
 [[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
   using Complex = std::complex<Real>;

@@ -27,7 +27,9 @@ struct FresnelBlendLobes {
   Real coat_albedo(const Vec3<Real>& wo, Probe& /*probe*/) const {
     return mean_channel(schlick(rs, wo.z));
   }
-  Real base_albedo(const Vec3<Real>& wo) const { return mean_channel(under) * diffuse_falloff(wo.z); }
+  Real base_albedo(const Vec3<Real>& wo) const {
+    return mean_channel(under) * diffuse_falloff(wo.z);
+  }
 
   Vec3<Real> rs;
   Vec3<Real> under;

@@ -1,6 +1,6 @@
 #pragma once
-// The GGX microfacet distribution: normals of an ellipsoid of half axes alpha, alpha, 1. B. Walter et al.
-// 2007; J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023.
+// The GGX microfacet distribution: normals of an ellipsoid of half axes alpha, alpha, 1. B. Walter
+// et al. 2007; J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023.
 #include "reference/probe.h"
 #include "reference/real.h"
 
@@ -11,8 +11,8 @@ class Ggx {
  public:
   explicit Ggx(Real alpha) : alpha_(alpha) {}
 
-  /// D(h) in sr^-1 for a vector h of any length: the square of alpha |h|^2/(alpha^2 h.z^2 + h.x^2 + h.y^2), a
-  /// sum that does not cancel, over pi.
+  /// D(h) in sr^-1 for a vector h of any length: the square of alpha |h|^2/(alpha^2 h.z^2 + h.x^2 +
+  /// h.y^2), a sum that does not cancel, over pi.
   template <typename Probe>
   Real density(const Vec3<Real>& h, Probe& probe) const {
     if (!(h.z > 0)) return 0;
@@ -22,7 +22,8 @@ class Ggx {
     return root * root / pi<Real>;
   }
 
-  /// Smith's G1 for a direction of either side: both masking and what normalises the visible normals.
+  /// Smith's G1 for a direction of either side: both masking and what normalises the visible
+  /// normals.
   Real exact_masking(const Vec3<Real>& w) const {
     const Real z = std::abs(w.z);
     const Real across = alpha_ * std::hypot(w.x, w.y);
@@ -39,8 +40,9 @@ class Ggx {
     return unit(Vec3<Real>(tangent * cosine, tangent * sine, 1));
   }
 
-  /// Half vector of the density of the normals visible from wo, unit: w, the view of the sphere into which
-  /// the ellipsoid is stretched, plus a point of the cap of that sphere which the horizon does not hide.
+  /// Half vector of the density of the normals visible from wo, unit: w, the view of the sphere
+  /// into which the ellipsoid is stretched, plus a point of the cap of that sphere which the
+  /// horizon does not hide.
   template <typename Probe>
   Vec3<Real> sample_visible(const Vec3<Real>& wo, Real u, Real v, Probe& probe) const {
     const Vec3<Real> w = probe.nudged(unit(Vec3<Real>(alpha_ * wo.x, alpha_ * wo.y, wo.z)));

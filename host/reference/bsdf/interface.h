@@ -20,7 +20,9 @@ struct Interface {
   [[nodiscard]] Real ratio() const { return outer / inner; }
   /// (eta_i/eta_o)^2.
   [[nodiscard]] Real eta2() const { return 1 / (ratio() * ratio()); }
-  [[nodiscard]] Real ratio2_less_1() const { return (outer - inner) * (outer + inner) / (inner * inner); }
+  [[nodiscard]] Real ratio2_less_1() const {
+    return (outer - inner) * (outer + inner) / (inner * inner);
+  }
   void turn_over() { std::swap(outer, inner); }
 
   /// The cosine beyond the surface where 1 - c^2 = sine2 before it; 0 beyond the critical angle.

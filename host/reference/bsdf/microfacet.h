@@ -8,13 +8,16 @@ namespace facet::reference {
 template <typename Real>
 struct MicrofacetLobes {
   template <typename Parameters>
-  MicrofacetLobes(const bsdf::Microfacet& p, Parameters& /*at*/, LobeSampling sampling) : interface {
+  MicrofacetLobes(const bsdf::Microfacet& p, Parameters& /*at*/, LobeSampling sampling)
+      : interface {
     p.ext_ior, p.int_ior
   }, kd(p.kd), microfacets(p.alpha, p.options, sampling) {
     ks = 1 - std::max({kd.r, kd.g, kd.b});
   }
 
-  Vec3<Real> base(const Vec3<Real>& /*wo*/, const Vec3<Real>& /*wi*/) const { return kd / pi<Real>; }
+  Vec3<Real> base(const Vec3<Real>& /*wo*/, const Vec3<Real>& /*wi*/) const {
+    return kd / pi<Real>;
+  }
 
   template <typename Probe>
   Vec3<Real> coat(const Vec3<Real>& wo, const Vec3<Real>& wi, const HalfVector<Real>& half,
@@ -35,7 +38,8 @@ struct MicrofacetLobes {
   Real ks = 0;
 };
 
-/// Nori's rough plastic: Lambert's reflection and a coat that takes what is left of the largest channel.
+/// Nori's rough plastic: Lambert's reflection and a coat that takes what is left of the largest
+/// channel.
 template <typename Real>
 using Microfacet = TwoLobes<Real, MicrofacetLobes<Real>>;
 

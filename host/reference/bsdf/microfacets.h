@@ -1,5 +1,6 @@
 #pragma once
-// A surface of microfacets, whichever their distribution, their masking and how their normals are sampled.
+// A surface of microfacets, whichever their distribution, their masking and how their normals are
+// sampled.
 #include "reference/bsdf/beckmann.h"
 #include "reference/bsdf/ggx.h"
 #include "scene/bsdf/rough.h"
@@ -43,16 +44,17 @@ class Microfacets {
     }));
   }
 
-  /// Density of the unit half vector h seen from wo under the cosine wo.h, over that cosine, sr^-1, where
-  /// D(h) is already known. A reflected direction has a quarter of it.
-  Real half_vector_pdf_over_cosine(const Vec3<Real>& wo, const Vec3<Real>& h, Real o_dot_h, Real d) const {
+  /// Density of the unit half vector h seen from wo under the cosine wo.h, over that cosine, sr^-1,
+  /// where D(h) is already known. A reflected direction has a quarter of it.
+  Real half_vector_pdf_over_cosine(const Vec3<Real>& wo, const Vec3<Real>& h, Real o_dot_h,
+                                   Real d) const {
     return visible_ ? exact_masking(wo) * d / wo.z : d * h.z / o_dot_h;
   }
 
   /// G D (wo.h)/cos_o over the density of the unit half vector h: D cancels.
   template <typename Probe>
-  Real half_vector_weight(const Vec3<Real>& wo, const Vec3<Real>& wi, const Vec3<Real>& h, Real o_dot_h,
-                          Probe& probe) const {
+  Real half_vector_weight(const Vec3<Real>& wo, const Vec3<Real>& wi, const Vec3<Real>& h,
+                          Real o_dot_h, Probe& probe) const {
     const Real g = masking(wo, wi, probe);
     return visible_ ? g / exact_masking(wo) : g * o_dot_h / (wo.z * h.z);
   }
@@ -69,8 +71,9 @@ class Microfacets {
   bool visible_;
 };
 
-/// The half vector of a reflected pair of directions. Where found from the directions it is not normalised:
-/// each component of the sum is exact to half an ulp, and wo.h = |h|^2/2 does not cancel.
+/// The half vector of a reflected pair of directions. Where found from the directions it is not
+/// normalised: each component of the sum is exact to half an ulp, and wo.h = |h|^2/2 does not
+/// cancel.
 template <typename Real>
 struct HalfVector {
   Vec3<Real> sum;
@@ -78,7 +81,9 @@ struct HalfVector {
   Real cosine;  ///< wo.h/|h| = |h|/2
 
   HalfVector(const Vec3<Real>& wo, const Vec3<Real>& wi)
-      : sum(wo + wi), unit_h(unit(sum)), cosine(std::min(std::sqrt(glm::dot(sum, sum)) / 2, Real(1))) {}
+      : sum(wo + wi),
+        unit_h(unit(sum)),
+        cosine(std::min(std::sqrt(glm::dot(sum, sum)) / 2, Real(1))) {}
   /// Of a sample: unit h.
   HalfVector(const Vec3<Real>& h, Real o_dot_h) : sum(h), unit_h(h), cosine(o_dot_h) {}
 

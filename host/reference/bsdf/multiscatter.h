@@ -7,7 +7,8 @@ namespace facet::reference {
 
 /// Albedo with F = 1 seen under a cosine: the table, bilinear between its nodes.
 template <typename Real>
-[[nodiscard]] Real lossless_albedo(const bsdf::MicrofacetOptions& options, Real alpha, Real cosine) {
+[[nodiscard]] Real lossless_albedo(const bsdf::MicrofacetOptions& options, Real alpha,
+                                   Real cosine) {
   const bsdf::AlbedoTable& table = bsdf::albedo_table(options);
   constexpr std::size_t cells = bsdf::albedo_nodes - 1;
   const Real x = cosine * (1 + alpha) / (cosine + alpha) * cells;

@@ -1,13 +1,14 @@
 #pragma once
-// The normal law of slopes behind the Beckmann distribution: quantiles, and the law of the visible slopes.
+// The normal law of slopes behind the Beckmann distribution: quantiles, and the law of the visible
+// slopes.
 #include <algorithm>
 
 #include "reference/real.h"
 
 namespace facet::reference {
 
-/// The x with erfc(-x)/2 = u: quantile of a normal variable of variance 1/2, 0 < u < 1. S. Winitzki's
-/// approximation (2008), then Halley's steps on erfc of the tail that u lies in.
+/// The x with erfc(-x)/2 = u: quantile of a normal variable of variance 1/2, 0 < u < 1. S.
+/// Winitzki's approximation (2008), then Halley's steps on erfc of the tail that u lies in.
 template <typename Real>
 [[nodiscard]] Real normal_quantile(Real u) {
   // The smaller tail's mass, exact: u is a multiple of 2^-25.
@@ -20,14 +21,15 @@ template <typename Real>
   const int steps = sizeof(Real) == sizeof(float) ? 2 : 3;
   for (int i = 0; i < steps; ++i) {
     // erfc'(x) = -2/sqrt(pi) exp(-x^2), erfc''/erfc' = -2 x.
-    const Real newton = (std::erfc(x) - q) / (-2 * std::numbers::inv_sqrtpi_v<Real> * std::exp(-x * x));
+    const Real newton =
+        (std::erfc(x) - q) / (-2 * std::numbers::inv_sqrtpi_v<Real> * std::exp(-x * x));
     x -= newton / (1 + x * newton);
   }
   return u < Real(0.5) ? -x : x;
 }
 
-/// The visible slopes of roughness 1 along the direction of view (E. Heitz, E. d'Eon 2014), seen from the
-/// polar angle of sine s and cosine c.
+/// The visible slopes of roughness 1 along the direction of view (E. Heitz, E. d'Eon 2014), seen
+/// from the polar angle of sine s and cosine c.
 template <typename Real>
 class VisibleSlopes {
  public:
@@ -38,8 +40,9 @@ class VisibleSlopes {
     return c_ * std::erfc(-x) + s_ * std::numbers::inv_sqrtpi_v<Real> * std::exp(-x * x);
   }
 
-  /// Slope below which the share u of the mass lies, 0 < u < 1: Newton's method on the logarithm of the mass,
-  /// which is concave and as steep in the tail as elsewhere; halving where a step leaves the bracket.
+  /// Slope below which the share u of the mass lies, 0 < u < 1: Newton's method on the logarithm of
+  /// the mass, which is concave and as steep in the tail as elsewhere; halving where a step leaves
+  /// the bracket.
   [[nodiscard]] Real quantile(Real u) const {
     const Real target = u * mass(end_);
     Real low = -7;
@@ -51,7 +54,8 @@ class VisibleSlopes {
       const Real slope = 2 * std::numbers::inv_sqrtpi_v<Real> * std::exp(-x * x) * (c_ - s_ * x);
       Real next = x - std::log(m / target) * m / slope;
       if (!(next > low && next < high)) next = low + (high - low) / 2;
-      if (std::abs(next - x) <= std::numeric_limits<Real>::epsilon() * std::max(std::abs(x), Real(0.5)))
+      if (std::abs(next - x) <=
+          std::numeric_limits<Real>::epsilon() * std::max(std::abs(x), Real(0.5)))
         return next;
       x = next;
     }

@@ -6,8 +6,9 @@
 
 namespace facet::reference {
 
-/// B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, eq. 20 and 21, i = wi,
-/// o = wo, with radiance's factor eta_o^2. wo lies above; what is below has the other index.
+/// B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, eq. 20 and
+/// 21, i = wi, o = wo, with radiance's factor eta_o^2. wo lies above; what is below has the other
+/// index.
 template <typename Real>
 class RoughDielectric {
  public:
@@ -32,8 +33,8 @@ class RoughDielectric {
     const Real f = interface_.reflectance(pair.cosine, 0, probe);
     const Real g = microfacets_.masking(wo, wi, probe);
     const Real d = microfacets_.density(pair.h, probe);
-    // D G over cos_i cos_o times the two ways' Jacobians: that of the density, and (eta_o/eta_i)^2 for
-    // radiance.
+    // D G over cos_i cos_o times the two ways' Jacobians: that of the density, and (eta_o/eta_i)^2
+    // for radiance.
     const Real share = pair.reflected ? f : (1 - f) / eta2();
     return tint_ * (share * pair.jacobian * pair.cosine * d * g / (std::abs(wi.z) * wo.z));
   }
@@ -54,14 +55,16 @@ class RoughDielectric {
     if (!faces(pair.cosine, probe)) return {};
     const Real f = interface_.reflectance(pair.cosine, 0, probe);
     const Real p = within_reach(f);
-    pair.reflected = probe.decide(DecisionKind::lobe, 0, n.lobe < p, static_cast<double>(p - n.lobe));
+    pair.reflected =
+        probe.decide(DecisionKind::lobe, 0, n.lobe < p, static_cast<double>(p - n.lobe));
     const Vec3<Real> wi = pair.reflected ? 2 * pair.cosine * h - wo : refract(wo, pair, probe);
     if (is_above(wi, probe) != pair.reflected) return {};
     if (pair.reflected) pair.jacobian = jacobian_of_reflection(pair.cosine);
     const Real choice = pair.reflected ? p : 1 - p;
     const Real share = (pair.reflected ? f : 1 - f) / choice;
     const Real passed = pair.reflected ? Real(1) : eta2();
-    const Real weight = share / passed * microfacets_.half_vector_weight(wo, wi, h, pair.cosine, probe);
+    const Real weight =
+        share / passed * microfacets_.half_vector_weight(wo, wi, h, pair.cosine, probe);
     return {wi, choice * directed_pdf(wo, pair, probe), tint_ * weight, passed};
   }
 
@@ -90,7 +93,8 @@ class RoughDielectric {
       return {true, true, half.sum, half.cosine, jacobian_of_reflection(half.cosine)};
     }
     // Towards the thinner side, of the length eta_i wi.wh + eta_o wo.wh for the unit wh.
-    // outer wo + inner wi, which all but cancel where the indices are nearly equal, by their difference.
+    // outer wo + inner wi, which all but cancel where the indices are nearly equal, by their
+    // difference.
     const Real bend = interface_.inner - interface_.outer;
     const Vec3<Real> sum = probe.nudged(interface_.outer * (wo + wi)) + probe.nudged(bend * wi);
     const Vec3<Real> h = interface_.outer > interface_.inner ? sum : -sum;
@@ -100,7 +104,8 @@ class RoughDielectric {
     if (!(length > 0) || !faces(std::min(o, -i), probe)) return {};
     const Real up = h.z / length;
     if (!probe.decide(DecisionKind::horizon, 3, up > 0, static_cast<double>(up))) return {};
-    return {true, false, h, o, interface_.inner * interface_.inner * std::abs(i) / (length * length)};
+    return {true, false, h, o,
+            interface_.inner * interface_.inner * std::abs(i) / (length * length)};
   }
 
   /// The direction refracted at the pair's half vector, and its Jacobian.
@@ -119,7 +124,8 @@ class RoughDielectric {
   Real directed_pdf(const Vec3<Real>& wo, const Pair& pair, Probe& probe) const {
     const Real d = microfacets_.density(pair.h, probe);
     const Vec3<Real> h = unit(pair.h);
-    return microfacets_.half_vector_pdf_over_cosine(wo, h, pair.cosine, d) * pair.cosine * pair.jacobian;
+    return microfacets_.half_vector_pdf_over_cosine(wo, h, pair.cosine, d) * pair.cosine *
+           pair.jacobian;
   }
 
   template <typename Probe>

@@ -8,7 +8,8 @@ namespace facet::reference {
 template <typename Real>
 struct RoughSubstrateLobes {
   template <typename Parameters>
-  RoughSubstrateLobes(const bsdf::RoughSubstrate& p, Parameters& at, LobeSampling sampling) : interface {
+  RoughSubstrateLobes(const bsdf::RoughSubstrate& p, Parameters& at, LobeSampling sampling)
+      : interface {
     p.ext_ior, p.int_ior
   }, kd(at.color(p.kd)), microfacets(at.roughness(p.alpha), p.options, sampling) {
     const Real root = (interface.outer - interface.inner) / (interface.outer + interface.inner);

@@ -1,5 +1,6 @@
 #pragma once
-// What sampling a BSDF gives. Directions are unit, in the shading frame, z along the shading normal.
+// What sampling a BSDF gives. Directions are unit, in the shading frame, z along the shading
+// normal.
 #include "reference/probe.h"
 #include "reference/real.h"
 #include "shared/records.h"
@@ -46,7 +47,8 @@ template <typename Real, typename Probe>
   return probe.decide(DecisionKind::horizon, 0, w.z > 0, static_cast<double>(w.z));
 }
 
-/// A probability p within reach of a number of 24 bits from both sides, unless one side has no value.
+/// A probability p within reach of a number of 24 bits from both sides, unless one side has no
+/// value.
 template <typename Real>
 [[nodiscard]] Real within_reach(Real p) {
   constexpr Real step = Real(1) / 16777216;

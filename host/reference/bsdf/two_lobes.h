@@ -34,7 +34,8 @@ class TwoLobes {
   static constexpr bool transmits = false;
 
   template <typename BsdfParameters, typename Parameters>
-  TwoLobes(const BsdfParameters& p, Parameters& at, LobeSampling sampling) : lobes_(p, at, sampling) {}
+  TwoLobes(const BsdfParameters& p, Parameters& at, LobeSampling sampling)
+      : lobes_(p, at, sampling) {}
 
   [[nodiscard]] bool delta() const { return false; }
 
@@ -68,8 +69,8 @@ class TwoLobes {
 
  private:
   template <typename Probe>
-  BsdfSample<Real> weighted(const Vec3<Real>& wo, const Vec3<Real>& wi, const HalfVector<Real>& half, Real p,
-                            Probe& probe) const {
+  BsdfSample<Real> weighted(const Vec3<Real>& wo, const Vec3<Real>& wi,
+                            const HalfVector<Real>& half, Real p, Probe& probe) const {
     const Real d = lobes_.microfacets.density(half.sum, probe);
     const Real density = mixed_pdf(wo, wi, half, d, p);
     if (!(density > 0)) return {wi, 0, Vec3<Real>(0)};
@@ -79,7 +80,8 @@ class TwoLobes {
 
   Real mixed_pdf(const Vec3<Real>& wo, const Vec3<Real>& wi, const HalfVector<Real>& half, Real d,
                  Real p) const {
-    const Real coat = lobes_.microfacets.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
+    const Real coat =
+        lobes_.microfacets.half_vector_pdf_over_cosine(wo, half.unit_h, half.cosine, d) / 4;
     return p * coat + (1 - p) * wi.z / pi<Real>;
   }
 

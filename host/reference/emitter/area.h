@@ -32,9 +32,11 @@ class AreaLight {
 
   /// Radiance towards -d.
   template <typename Probe>
-  [[nodiscard]] Vec3<Real> emission(const Surface<Real>& s, const Vec3<Real>& d, Probe& probe) const {
+  [[nodiscard]] Vec3<Real> emission(const Surface<Real>& s, const Vec3<Real>& d,
+                                    Probe& probe) const {
     const Real cosine = glm::dot(s.ns, d);
-    const bool bright = probe.decide(DecisionKind::emission, 0, cosine < 0, static_cast<double>(cosine));
+    const bool bright =
+        probe.decide(DecisionKind::emission, 0, cosine < 0, static_cast<double>(cosine));
     if (!bright) return Vec3<Real>(0);
     if (texture_ == none) return radiance_;
     return radiance_ * texture_value(scene_.textures, texture_, s.uv, probe);
@@ -43,7 +45,8 @@ class AreaLight {
   /// Density per solid angle of finding the point of s at a distance along d, sr^-1.
   [[nodiscard]] Real pdf(const Surface<Real>& s, const Vec3<Real>& d, Real distance) const {
     const Real cosine = std::abs(glm::dot(s.ng, d));
-    return cosine > 0 ? distance * static_cast<Real>(densities_[s.index]) * (distance / cosine) : Real(0);
+    return cosine > 0 ? distance * static_cast<Real>(densities_[s.index]) * (distance / cosine)
+                      : Real(0);
   }
 
   template <typename Probe>

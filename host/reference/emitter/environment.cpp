@@ -6,8 +6,8 @@ namespace facet::reference {
 
 namespace {
 
-/// Mean of the interpolated luminance over the cell between the texels (column, row) and (column + 1, row +
-/// 1).
+/// Mean of the interpolated luminance over the cell between the texels (column, row) and (column +
+/// 1, row + 1).
 double cell_mean(const EnvironmentEmitter& map, int column, int row) {
   double sum = 0;
   for (const int y : {row, std::min(row + 1, map.height - 1)}) {
@@ -26,7 +26,8 @@ Environment<Real>::Environment(const EnvironmentEmitter& map)
     : width_(static_cast<std::size_t>(map.width)), height_(static_cast<std::size_t>(map.height)) {
   for (const Color& c : map.texels) texels_.emplace_back(c);
   for (std::size_t r = 0; r <= height_; ++r) {
-    heights_.push_back(-std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(height_)));
+    heights_.push_back(
+        -std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(height_)));
   }
   std::vector<double> row_weights;
   for (int row = 0; row < map.height; ++row) {
@@ -43,7 +44,8 @@ Environment<Real>::Environment(const EnvironmentEmitter& map)
   }
   rows_ = Choice(row_weights);
   for (std::size_t r = 0; r < height_; ++r) {
-    const double angle = 2 * std::numbers::pi / static_cast<double>(width_) * (heights_[r + 1] - heights_[r]);
+    const double angle =
+        2 * std::numbers::pi / static_cast<double>(width_) * (heights_[r + 1] - heights_[r]);
     for (std::size_t c = 0; c < width_; ++c)
       densities_.push_back(rows_.probability(r) * columns_[r].probability(c) / angle);
   }

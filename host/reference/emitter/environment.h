@@ -8,8 +8,8 @@
 
 namespace facet::reference {
 
-/// Light from infinity by a latitude-longitude map, bilinear; sampled by the cells between texels, of equal
-/// angles (docs/sampling.md, "Environment").
+/// Light from infinity by a latitude-longitude map, bilinear; sampled by the cells between texels,
+/// of equal angles (docs/sampling.md, "Environment").
 template <typename Real>
 class Environment {
  public:
@@ -38,7 +38,8 @@ class Environment {
     const Real y = (1 - fy) * Real(heights_[row.entry]) + fy * Real(heights_[row.entry + 1]);
     Real sine = 0;
     Real cosine = 0;
-    sin_cos_turns(1 - (static_cast<Real>(column.entry) + fx) / static_cast<Real>(width_), sine, cosine);
+    sin_cos_turns(1 - (static_cast<Real>(column.entry) + fx) / static_cast<Real>(width_), sine,
+                  cosine);
     const Real radius = std::sqrt(std::max((1 - y) * (1 + y), Real(0)));
     EmitterSample<Real> s;
     s.direction = probe.nudged(Vec3<Real>(radius * cosine, y, radius * sine));
@@ -80,7 +81,8 @@ class Environment {
     const auto height = static_cast<Real>(height_);
     const Real left = std::clamp(decided_floor(at.x, width, kind, 0, probe), Real(0), width - 1);
     const Real lower = std::clamp(decided_floor(at.y, height, kind, 1, probe), Real(0), height - 1);
-    return {static_cast<std::size_t>(left), static_cast<std::size_t>(lower), at.x - left, at.y - lower};
+    return {static_cast<std::size_t>(left), static_cast<std::size_t>(lower), at.x - left,
+            at.y - lower};
   }
 
   /// The texel at a cell's corner, which may lie one beyond the last column or row.

@@ -10,8 +10,9 @@ struct EmitterSample {
   std::size_t emitter = 0;        ///< index into Scene::emitters
   Vec3<Real> direction{0, 0, 1};  ///< unit, from the surface point
   Vec3<Real> radiance{0};
-  Real pdf = 0;       ///< sr^-1; of a point: the probability of the choice
-  Vec3<Real> end{0};  ///< where the shadow ray ends, moved off the emitter; for emitters at a distance
+  Real pdf = 0;  ///< sr^-1; of a point: the probability of the choice
+  Vec3<Real> end{
+      0};  ///< where the shadow ray ends, moved off the emitter; for emitters at a distance
   bool at_infinity = false;
   bool is_point = false;  ///< nothing else finds it
 };

@@ -29,8 +29,9 @@ using Bsdf = decltype(detail::variant_without_first(std::variant<std::monostate
 #undef FACET_TYPE
                                                                  >{}));
 
-#define FACET_CHECK(name, Type, id) \
-  static_assert(std::is_same_v<std::variant_alternative_t<id, Bsdf>, bsdf::Type>, "ids count up from 0");
+#define FACET_CHECK(name, Type, id)                                               \
+  static_assert(std::is_same_v<std::variant_alternative_t<id, Bsdf>, bsdf::Type>, \
+                "ids count up from 0");
 FACET_BSDF_LIST(FACET_CHECK)
 #undef FACET_CHECK
 
@@ -43,7 +44,8 @@ inline constexpr std::array bsdf_type_names{
 
 /// The record that the kernels read.
 [[nodiscard]] inline shared::BsdfRecord pack_bsdf(const Bsdf& b) {
-  shared::BsdfRecord record = std::visit([](const auto& parameters) { return parameters.pack(); }, b);
+  shared::BsdfRecord record =
+      std::visit([](const auto& parameters) { return parameters.pack(); }, b);
   record.type = static_cast<std::uint32_t>(b.index());
   return record;
 }

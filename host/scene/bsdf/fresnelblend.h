@@ -3,7 +3,8 @@
 
 namespace facet::bsdf {
 
-/// PBRT's FresnelBlend: a diffuse base that a glossy coat dims; manual in shaders/bsdf/fresnelblend.glsl.
+/// PBRT's FresnelBlend: a diffuse base that a glossy coat dims; manual in
+/// shaders/bsdf/fresnelblend.glsl.
 struct FresnelBlend {
   Textured<Color> rd{Color(0.5F)};
   Textured<Color> rs{Color(0.5F)};

@@ -92,8 +92,8 @@ ConductorIor averages(const MetalSpectrum& metal) {
 std::span<const MetalSpectrum> metal_spectra() { return spectra; }
 
 std::optional<ConductorIor> find_metal(std::string_view name) {
-  const auto* const found =
-      std::find_if(spectra.begin(), spectra.end(), [&](const MetalSpectrum& m) { return m.name == name; });
+  const auto* const found = std::find_if(spectra.begin(), spectra.end(),
+                                         [&](const MetalSpectrum& m) { return m.name == name; });
   return found == spectra.end() ? std::nullopt : std::optional(averages(*found));
 }
 

@@ -7,7 +7,8 @@ namespace facet::bsdf {
 
 MicrofacetOptions MicrofacetOptions::read(PropertyReader& properties) {
   const bool ggx = properties.choice("distribution", {"beckmann", "ggx"}) == "ggx";
-  const auto masking = value_of(masking_words, properties.choice("masking", names_of(masking_words)));
+  const auto masking =
+      value_of(masking_words, properties.choice("masking", names_of(masking_words)));
   return {ggx ? Distribution::ggx : Distribution::beckmann, masking.value()};
 }
 

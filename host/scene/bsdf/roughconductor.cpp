@@ -10,8 +10,8 @@ namespace {
 ConductorIor metal_of(const PropertyReader& properties, const std::string& name) {
   const std::vector<std::string> names = metal_names();
   if (const auto metal = find_metal(name)) return *metal;
-  properties.fail("material", fmt::format("is \"{}\", which is none of: {}{}", name, fmt::join(names, ", "),
-                                          did_you_mean(name, names)));
+  properties.fail("material", fmt::format("is \"{}\", which is none of: {}{}", name,
+                                          fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
 /// By name, by number, or not at all.

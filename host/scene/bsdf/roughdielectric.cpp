@@ -17,7 +17,8 @@ RoughDielectric RoughDielectric::read(PropertyReader& properties) {
 shared::BsdfRecord RoughDielectric::pack() const {
   shared::BsdfRecord r = empty_record();
   // Equal indices bend nothing, whatever the microfacet: light passes straight through.
-  r.flags = options.flags() | shared::BSDF_TRANSMITS | (ext_ior == int_ior ? shared::BSDF_DELTA : 0);
+  r.flags =
+      options.flags() | shared::BSDF_TRANSMITS | (ext_ior == int_ior ? shared::BSDF_DELTA : 0);
   r.texture_a = ka.texture;
   r.texture_alpha = alpha.texture;
   r.a = glm::vec4(ka.value, alpha.value);

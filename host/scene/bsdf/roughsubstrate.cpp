@@ -16,7 +16,8 @@ RoughSubstrate RoughSubstrate::read(PropertyReader& properties) {
 
 shared::BsdfRecord RoughSubstrate::pack() const {
   shared::BsdfRecord r = empty_record();
-  const double root = (static_cast<double>(ext_ior) - int_ior) / (static_cast<double>(ext_ior) + int_ior);
+  const double root =
+      (static_cast<double>(ext_ior) - int_ior) / (static_cast<double>(ext_ior) + int_ior);
   r.flags = options.flags();
   r.texture_a = kd.texture;
   r.texture_alpha = alpha.texture;

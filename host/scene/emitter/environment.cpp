@@ -16,7 +16,8 @@ EnvironmentEmitter read_environment_emitter(PropertyReader& properties, Diagnost
   } catch (const InputError& e) {
     throw InputError(properties.location(), e.what());
   }
-  // The lab's renderer divides the map by 255 whatever it holds; its scenes make up for it in `radiance`.
+  // The lab's renderer divides the map by 255 whatever it holds; its scenes make up for it in
+  // `radiance`.
   const Color factor = linear ? radiance : radiance / 255.0F;
   scale_and_clamp(map, factor, path, properties.location(), diagnostics);
   return {map.width, map.height, std::move(map.pixels)};

@@ -67,8 +67,8 @@ class MtlReader {
 
   void warn_once(const std::string& material, const std::string& message) {
     if (warned_.insert(message).second)
-      diagnostics_.warn(where_,
-                        fmt::format("{}: material \"{}\": {}", path_.string(), trimmed(material), message));
+      diagnostics_.warn(where_, fmt::format("{}: material \"{}\": {}", path_.string(),
+                                            trimmed(material), message));
   }
 
   std::filesystem::path path_;
@@ -80,8 +80,8 @@ class MtlReader {
 }  // namespace
 
 std::map<std::string, MtlMaterial> read_mtl(const std::vector<std::string>& files,
-                                            const std::filesystem::path& folder, const SourceLocation& where,
-                                            Diagnostics& diagnostics) {
+                                            const std::filesystem::path& folder,
+                                            const SourceLocation& where, Diagnostics& diagnostics) {
   std::map<std::string, MtlMaterial> materials;
   for (const std::string& file : files) {
     const std::filesystem::path path = beside(folder, file);

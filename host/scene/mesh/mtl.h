@@ -16,9 +16,9 @@ struct MtlMaterial {
   std::filesystem::path diffuse_map;  ///< map_Kd, in place of Kd; empty without
 };
 
-/// Reads the materials of files by their names; of two of one name the first counts. files: as an OBJ file in
-/// `folder` names them. Warns at `where` of a file that cannot be read, of values that are not used as they
-/// stand, and notes the files as inputs.
+/// Reads the materials of files by their names; of two of one name the first counts. files: as an
+/// OBJ file in `folder` names them. Warns at `where` of a file that cannot be read, of values that
+/// are not used as they stand, and notes the files as inputs.
 [[nodiscard]] std::map<std::string, MtlMaterial> read_mtl(const std::vector<std::string>& files,
                                                           const std::filesystem::path& folder,
                                                           const SourceLocation& where,

@@ -11,12 +11,14 @@ namespace facet {
 
 namespace {
 
-void transform_points(std::vector<vec3>& points, const dmat4& m, const std::filesystem::path& path) {
+void transform_points(std::vector<vec3>& points, const dmat4& m,
+                      const std::filesystem::path& path) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::dvec4 p = m * glm::dvec4(points[i], 1);
     points[i] = vec3(dvec3(p) / p.w);
     if (!std::isfinite(points[i].x + points[i].y + points[i].z)) {
-      throw InputError(fmt::format("{}: vertex {} is not finite in the world's space", path.string(), i + 1));
+      throw InputError(
+          fmt::format("{}: vertex {} is not finite in the world's space", path.string(), i + 1));
     }
   }
 }
@@ -36,7 +38,8 @@ class TriangleWriter {
  public:
   explicit TriangleWriter(const ObjFile& file) : file_(file) {
     const std::size_t count = file.corners.size() - 2 * file.faces.size();
-    for (std::vector<uvec3>* list : {&mesh.position_indices, &mesh.normal_indices, &mesh.texcoord_indices})
+    for (std::vector<uvec3>* list :
+         {&mesh.position_indices, &mesh.normal_indices, &mesh.texcoord_indices})
       list->reserve(count);
     materials.reserve(count);
   }
@@ -145,11 +148,13 @@ Mesh part_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
   part.name = mesh.name;
   part.where = mesh.where;
   Gatherer(mesh.positions.size())
-      .gather(mesh.position_indices, mesh.positions, triangles, part.position_indices, part.positions);
+      .gather(mesh.position_indices, mesh.positions, triangles, part.position_indices,
+              part.positions);
   Gatherer(mesh.normals.size())
       .gather(mesh.normal_indices, mesh.normals, triangles, part.normal_indices, part.normals);
   Gatherer(mesh.texcoords.size())
-      .gather(mesh.texcoord_indices, mesh.texcoords, triangles, part.texcoord_indices, part.texcoords);
+      .gather(mesh.texcoord_indices, mesh.texcoords, triangles, part.texcoord_indices,
+              part.texcoords);
   return part;
 }
 
@@ -179,7 +184,8 @@ ObjParts read_obj_by_material(const std::filesystem::path& path, const dmat4& to
     parts.meshes.push_back(std::move(file.mesh));
     return parts;
   }
-  for (const std::uint32_t material : order) parts.meshes.push_back(part_of(file.mesh, triangles[material]));
+  for (const std::uint32_t material : order)
+    parts.meshes.push_back(part_of(file.mesh, triangles[material]));
   return parts;
 }
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view wanted = "a Wavefront OBJ mesh";
 
-/// Where the indices of one kind that are larger than any before are, which may still be in range: what they
-/// count can stand behind them in the file.
+/// Where the indices of one kind that are larger than any before are, which may still be in range:
+/// what they count can stand behind them in the file.
 class LargestIndices {
  public:
   /// written: as it stands in the file.
@@ -29,8 +29,9 @@ class LargestIndices {
   void check(std::size_t count, std::string_view what, const std::filesystem::path& path) const {
     for (const Place& place : places_) {
       if (place.index < count) continue;
-      throw InputError({path.string(), place.line},
-                       fmt::format("index {} is out of range: there are {} {}", place.written, count, what));
+      throw InputError(
+          {path.string(), place.line},
+          fmt::format("index {} is out of range: there are {} {}", place.written, count, what));
     }
   }
 
@@ -70,7 +71,9 @@ class Loader {
     callback.index_cb = [](void* loader, tinyobj::index_t* corners, int count) {
       to(loader).add_face(std::span(corners, static_cast<std::size_t>(count)));
     };
-    callback.usemtl_cb = [](void* loader, const char* name, int /*id*/) { to(loader).use_material(name); };
+    callback.usemtl_cb = [](void* loader, const char* name, int /*id*/) {
+      to(loader).use_material(name);
+    };
     std::istream in(&lines_);
     // What the lines throw passes through the stream.
     in.exceptions(std::ios::badbit);
@@ -101,22 +104,26 @@ class Loader {
   void note_flaw(Flaws& flaws, std::size_t index, bool is_finite) const {
     if (lines_.flaw().empty() && is_finite) return;
     flaws[static_cast<std::uint32_t>(index)] = {
-        lines_.line(), lines_.flaw().empty() ? "a coordinate is not a finite number" : lines_.flaw()};
+        lines_.line(),
+        lines_.flaw().empty() ? "a coordinate is not a finite number" : lines_.flaw()};
   }
 
   void add_face(std::span<const tinyobj::index_t> corners) {
     for (const tinyobj::index_t& c : corners) {
       ObjCorner corner;
-      corner.position = resolve(c.vertex_index, file_.positions.size(), "vertices", largest_position_);
-      corner.texcoord =
-          resolve(c.texcoord_index, file_.texcoords.size(), "texture coordinates", largest_texcoord_);
+      corner.position =
+          resolve(c.vertex_index, file_.positions.size(), "vertices", largest_position_);
+      corner.texcoord = resolve(c.texcoord_index, file_.texcoords.size(), "texture coordinates",
+                                largest_texcoord_);
       corner.normal = resolve(c.normal_index, file_.normals.size(), "normals", largest_normal_);
       file_.corners.push_back(corner);
     }
     file_.faces.push_back({static_cast<std::uint32_t>(corners.size()), material_});
   }
-  /// Of the file's index: 0 where there is none, from 1, or negative and counted from the last before it.
-  std::uint32_t resolve(int index, std::size_t count, std::string_view what, LargestIndices& largest) const {
+  /// Of the file's index: 0 where there is none, from 1, or negative and counted from the last
+  /// before it.
+  std::uint32_t resolve(int index, std::size_t count, std::string_view what,
+                        LargestIndices& largest) const {
     if (index == 0) return none;
     if (index > 0) {
       const auto i = static_cast<std::uint32_t>(index - 1);
@@ -142,37 +149,43 @@ class Loader {
 
   void check_indices(const SourceLocation& where, Diagnostics& diagnostics) {
     largest_position_.check(file_.positions.size(), "vertices", path_);
-    check_optional(&ObjCorner::texcoord, file_.texcoords.size(), "texture coordinates", largest_texcoord_,
-                   texcoord_flaws_, where, diagnostics);
-    check_optional(&ObjCorner::normal, file_.normals.size(), "normals", largest_normal_, normal_flaws_, where,
-                   diagnostics);
+    check_optional(&ObjCorner::texcoord, file_.texcoords.size(), "texture coordinates",
+                   largest_texcoord_, texcoord_flaws_, where, diagnostics);
+    check_optional(&ObjCorner::normal, file_.normals.size(), "normals", largest_normal_,
+                   normal_flaws_, where, diagnostics);
     if (lines_.unused_bad_words() > 0)
-      diagnostics.warn(where, fmt::format("{}: {} words where numbers are expected, in what is not used",
-                                          path_.string(), lines_.unused_bad_words()));
+      diagnostics.warn(where,
+                       fmt::format("{}: {} words where numbers are expected, in what is not used",
+                                   path_.string(), lines_.unused_bad_words()));
   }
 
   /// Of the corners' texture coordinates or normals.
   void check_optional(std::uint32_t ObjCorner::*index, std::size_t count, std::string_view what,
-                      const LargestIndices& largest, const Flaws& flaws, const SourceLocation& where,
-                      Diagnostics& diagnostics) {
+                      const LargestIndices& largest, const Flaws& flaws,
+                      const SourceLocation& where, Diagnostics& diagnostics) {
     if (count == 0) {
       bool is_spoken_of = false;
-      for (ObjCorner& corner : file_.corners) is_spoken_of |= std::exchange(corner.*index, none) != none;
+      for (ObjCorner& corner : file_.corners)
+        is_spoken_of |= std::exchange(corner.*index, none) != none;
       if (is_spoken_of)
         diagnostics.warn(
-            where, fmt::format("{}: its faces have indices of {}, of which there are none; they are ignored",
-                               path_.string(), what));
+            where,
+            fmt::format(
+                "{}: its faces have indices of {}, of which there are none; they are ignored",
+                path_.string(), what));
       return;
     }
     largest.check(count, what, path_);
     if (flaws.empty()) return;
     for (const ObjCorner& corner : file_.corners) {
       const auto flaw = flaws.find(corner.*index);
-      if (flaw != flaws.end()) throw InputError({path_.string(), flaw->second.line}, flaw->second.message);
+      if (flaw != flaws.end())
+        throw InputError({path_.string(), flaw->second.line}, flaw->second.message);
     }
     diagnostics.warn(
-        where, fmt::format("{}:{}: {}; {} such lines are ignored, since no face uses them", path_.string(),
-                           flaws.begin()->second.line, flaws.begin()->second.message, flaws.size()));
+        where,
+        fmt::format("{}:{}: {}; {} such lines are ignored, since no face uses them", path_.string(),
+                    flaws.begin()->second.line, flaws.begin()->second.message, flaws.size()));
   }
 
   const std::filesystem::path& path_;

@@ -33,10 +33,11 @@ struct ObjFile {
   std::vector<std::string> material_files;  ///< as the file names them
 };
 
-/// Reads a file. All coordinates that a face uses are finite, all indices in range. Throws InputError: with
-/// the line for a statement that cannot be read, a coordinate that is no finite number, or an index out of
-/// range (for one beyond the last, only when nothing else is wrong); without one for a file that holds
-/// something else, saying what. Warns at `where`, once each, of flaws in what no face uses.
+/// Reads a file. All coordinates that a face uses are finite, all indices in range. Throws
+/// InputError: with the line for a statement that cannot be read, a coordinate that is no finite
+/// number, or an index out of range (for one beyond the last, only when nothing else is wrong);
+/// without one for a file that holds something else, saying what. Warns at `where`, once each, of
+/// flaws in what no face uses.
 [[nodiscard]] ObjFile read_obj_file(const std::filesystem::path& path, const SourceLocation& where,
                                     Diagnostics& diagnostics);
 

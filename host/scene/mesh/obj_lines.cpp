@@ -70,11 +70,14 @@ ObjLines::ObjLines(const std::filesystem::path& path, std::string text)
   newline_ = std::min(text_.find('\n', at_), text_.size());
   // Some editors of old end a text by Ctrl-Z, some programs by their strings' zero.
   constexpr std::string_view padding("\x1A\0 \t", 4);
-  while (text_.size() > at_ && padding.find(text_.back()) != std::string_view::npos) text_.pop_back();
+  while (text_.size() > at_ && padding.find(text_.back()) != std::string_view::npos)
+    text_.pop_back();
   newline_ = std::min(newline_, text_.size());
 }
 
-void ObjLines::fail(const std::string& message) const { throw InputError({path_.string(), line_}, message); }
+void ObjLines::fail(const std::string& message) const {
+  throw InputError({path_.string(), line_}, message);
+}
 
 ObjLines::int_type ObjLines::underflow() {
   if (gptr() != egptr()) return traits_type::to_int_type(*gptr());
@@ -95,7 +98,8 @@ std::string_view ObjLines::take_line() {
   if (newline_ < begin) newline_ = std::min(text_.find('\n', begin), text_.size());
   const std::string_view line = std::string_view(text_).substr(begin, newline_ - begin);
   const std::size_t size = std::min(line.find('\r'), line.size());
-  // A carriage return before a line feed is part of the line's end, any other one ends a line by itself.
+  // A carriage return before a line feed is part of the line's end, any other one ends a line by
+  // itself.
   at_ = begin + size + 1 < newline_ ? begin + size + 1 : newline_ + 1;
   ++next_line_;
   return line.substr(0, size);
@@ -183,7 +187,8 @@ void ObjLines::check_vector(std::string_view words, int used, int least, bool mu
 bool ObjLines::check_face(std::string_view corners) const {
   bool has_slash_behind = false;
   int count = 0;
-  for (std::string_view corner = next_word(corners); !corner.empty(); corner = next_word(corners), ++count) {
+  for (std::string_view corner = next_word(corners); !corner.empty();
+       corner = next_word(corners), ++count) {
     std::string_view rest = corner;
     for (int field = 0; field < 3; ++field) {
       const std::size_t slash = std::min(rest.find('/'), rest.size());

@@ -10,9 +10,9 @@
 
 namespace facet {
 
-/// Hands out the statements of an OBJ file that matter (v, vt, vn, f and usemtl), one a line: without
-/// comments, joined where a backslash continues them, whatever ends the lines. Checks the words of each,
-/// since the loader takes for 0 what is no number.
+/// Hands out the statements of an OBJ file that matter (v, vt, vn, f and usemtl), one a line:
+/// without comments, joined where a backslash continues them, whatever ends the lines. Checks the
+/// words of each, since the loader takes for 0 what is no number.
 class ObjLines : public std::streambuf {
  public:
   /// path: for messages; it is referred to.
@@ -22,7 +22,8 @@ class ObjLines : public std::streambuf {
   [[nodiscard]] int line() const { return line_; }
   /// What is wrong with the last vt or vn, which nothing may use; empty without.
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
-  /// How many words that nothing uses are no numbers: a vertex's colours, a third texture coordinate.
+  /// How many words that nothing uses are no numbers: a vertex's colours, a third texture
+  /// coordinate.
   [[nodiscard]] std::size_t unused_bad_words() const { return unused_bad_words_; }
   /// The names after mtllib, as they stand in the file.
   [[nodiscard]] const std::vector<std::string>& material_files() const { return material_files_; }

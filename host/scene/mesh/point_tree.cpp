@@ -32,11 +32,15 @@ bool is_outside(const dvec2& low, const dvec2& high, const std::array<dvec2, 3>&
 }  // namespace
 
 PointTree::PointTree(std::span<const dvec2> points, std::vector<std::uint32_t> members)
-    : points_(points), members_(std::move(members)), removed_(members_.size()), places_(points.size(), none) {
+    : points_(points),
+      members_(std::move(members)),
+      removed_(members_.size()),
+      places_(points.size(), none) {
   while (leaves_ * members_a_leaf < members_.size()) leaves_ *= 2;
   nodes_.resize(2 * leaves_ - 1);
   build(0, {0, members_.size()});
-  for (std::size_t i = 0; i < members_.size(); ++i) places_[members_[i]] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    places_[members_[i]] = static_cast<std::uint32_t>(i);
 }
 
 void PointTree::build(std::size_t node, Range range) {
@@ -52,8 +56,9 @@ void PointTree::build(std::size_t node, Range range) {
   const int axis = n.high.x - n.low.x > n.high.y - n.low.y ? 0 : 1;
   const std::size_t middle = (range.begin + range.end) / 2;
   const auto at = [&](std::size_t i) { return members_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(range.begin), at(middle), at(range.end),
-                   [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
+  std::nth_element(
+      at(range.begin), at(middle), at(range.end),
+      [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
   build(2 * node + 1, {range.begin, middle});
   build(2 * node + 2, {middle, range.end});
 }

@@ -16,8 +16,8 @@ namespace facet {
   return ab.x * ac.y - ab.y * ac.x;
 }
 
-/// Some of a list's points in a balanced k-d tree (J. L. Bentley, "Multidimensional Binary Search Trees Used
-/// for Associative Searching", 1975), from which they can be removed.
+/// Some of a list's points in a balanced k-d tree (J. L. Bentley, "Multidimensional Binary Search
+/// Trees Used for Associative Searching", 1975), from which they can be removed.
 class PointTree {
  public:
   /// Refers to points, the whole list; `members` are indices into it.
@@ -25,8 +25,8 @@ class PointTree {
 
   /// Does nothing for a point that is no member.
   void remove(std::uint32_t member);
-  /// Whether the counterclockwise triangle holds a member, in it or on its sides; those at its corners'
-  /// places do not count.
+  /// Whether the counterclockwise triangle holds a member, in it or on its sides; those at its
+  /// corners' places do not count.
   [[nodiscard]] bool any_in_triangle(const std::array<dvec2, 3>& triangle) const;
 
  private:
@@ -41,7 +41,8 @@ class PointTree {
   };
 
   void build(std::size_t node, Range range);
-  [[nodiscard]] bool search(std::size_t node, Range range, const std::array<dvec2, 3>& triangle) const;
+  [[nodiscard]] bool search(std::size_t node, Range range,
+                            const std::array<dvec2, 3>& triangle) const;
 
   std::span<const dvec2> points_;
   std::vector<std::uint32_t> members_;  ///< in the order of the leaves

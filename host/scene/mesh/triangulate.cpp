@@ -36,8 +36,8 @@ std::vector<dvec2> projected(std::span<const vec3> polygon) {
   return points;
 }
 
-/// Clips one ear after another. Those beside a clipped ear wait until all others had their turn: so the
-/// triangles stay as wide as the polygon allows.
+/// Clips one ear after another. Those beside a clipped ear wait until all others had their turn: so
+/// the triangles stay as wide as the polygon allows.
 class EarClipper {
  public:
   explicit EarClipper(std::span<const vec3> polygon)
@@ -60,8 +60,8 @@ class EarClipper {
     while (left_ > 3) {
       clip_ears();
       if (left_ <= 3) break;
-      // Where it touches or crosses itself, an ear can come up that is not beside a clipped one: look again,
-      // unless hardly any did.
+      // Where it touches or crosses itself, an ear can come up that is not beside a clipped one:
+      // look again, unless hardly any did.
       if (last_left == 0 || left_ < last_left - last_left / 16) {
         last_left = left_;
         std::uint32_t i = start_;
@@ -85,8 +85,8 @@ class EarClipper {
   [[nodiscard]] std::vector<std::uint32_t> reflex_corners() const {
     std::vector<std::uint32_t> corners;
     for (std::uint32_t i = 0; i < left_; ++i) {
-      if (!(signed_area(points_[(i > 0 ? i : left_) - 1], points_[i], points_[i + 1 < left_ ? i + 1 : 0]) >
-            0))
+      if (!(signed_area(points_[(i > 0 ? i : left_) - 1], points_[i],
+                        points_[i + 1 < left_ ? i + 1 : 0]) > 0))
         corners.push_back(i);
     }
     return corners;
@@ -127,14 +127,16 @@ class EarClipper {
   }
 
   /// The triangle of a corner that is left and the two beside it.
-  [[nodiscard]] Triangle at(std::uint32_t corner) const { return {before_[corner], corner, behind_[corner]}; }
+  [[nodiscard]] Triangle at(std::uint32_t corner) const {
+    return {before_[corner], corner, behind_[corner]};
+  }
 
   [[nodiscard]] double area(std::uint32_t corner) const {
     return signed_area(points_[before_[corner]], points_[corner], points_[behind_[corner]]);
   }
 
-  /// None but reflex corners can be the first to enter a triangle. One where two others meet, as at the slit
-  /// that joins a hole to its outline, is not in the way.
+  /// None but reflex corners can be the first to enter a triangle. One where two others meet, as at
+  /// the slit that joins a hole to its outline, is not in the way.
   [[nodiscard]] bool is_ear(std::uint32_t corner) const {
     const auto [a, b, c] = at(corner);
     return area(corner) > 0 && !reflex_.any_in_triangle({points_[a], points_[b], points_[c]});
@@ -162,7 +164,8 @@ std::vector<Triangle> triangulate_quadrilateral(std::span<const vec3> p) {
   };
   const std::vector<Triangle> by02{{0, 1, 2}, {0, 2, 3}};
   const std::vector<Triangle> by13{{0, 1, 3}, {1, 2, 3}};
-  const bool is_02_shorter = glm::length(difference(p[0], p[2])) < glm::length(difference(p[1], p[3]));
+  const bool is_02_shorter =
+      glm::length(difference(p[0], p[2])) < glm::length(difference(p[1], p[3]));
   const std::vector<Triangle>& shorter = is_02_shorter ? by02 : by13;
   const std::vector<Triangle>& longer = is_02_shorter ? by13 : by02;
   return is_inside(longer) && !is_inside(shorter) ? longer : shorter;

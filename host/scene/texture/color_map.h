@@ -6,8 +6,8 @@
 
 namespace facet {
 
-/// Colours times a factor, with what no light can be brought to what is nearest: NaN and negative values to
-/// 0, others to at most largest_radiance; one warning at `where` counts them.
+/// Colours times a factor, with what no light can be brought to what is nearest: NaN and negative
+/// values to 0, others to at most largest_radiance; one warning at `where` counts them.
 void scale_and_clamp(ColorImage& image, const Color& factor, const std::filesystem::path& path,
                      const SourceLocation& where, Diagnostics& diagnostics);
 

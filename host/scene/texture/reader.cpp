@@ -39,7 +39,8 @@ void load_codes(const CodedImage& image, BitmapTexture& t) {
   };
   for (std::size_t i = 0; i < codes.size(); i += 3) {
     if (image.largest == 255) {
-      t.texels.push_back(codes[i] | std::uint32_t{codes[i + 1]} << 8U | std::uint32_t{codes[i + 2]} << 16U);
+      t.texels.push_back(codes[i] | std::uint32_t{codes[i + 1]} << 8U |
+                         std::uint32_t{codes[i + 2]} << 16U);
     } else {
       t.colors.emplace_back(decode(codes[i]), decode(codes[i + 1]), decode(codes[i + 2]));
     }
@@ -47,8 +48,8 @@ void load_codes(const CodedImage& image, BitmapTexture& t) {
 }
 
 /// Throws InputError without a place in the scene.
-void load_texels(const std::filesystem::path& path, const SourceLocation& where, Diagnostics& diagnostics,
-                 BitmapTexture& t) {
+void load_texels(const std::filesystem::path& path, const SourceLocation& where,
+                 Diagnostics& diagnostics, BitmapTexture& t) {
   const ImageFormat format = image_format(path);
   if (format == ImageFormat::png) return load_codes(read_png(path), t);
   if (format == ImageFormat::jpeg) return load_codes(read_jpeg(path), t);

@@ -18,7 +18,8 @@ std::array<float, 256> make_linear_values() {
 /// Calls body(Color) for every texel.
 template <typename Body>
 void for_each_texel(const BitmapTexture& t, const Body& body) {
-  for (std::size_t i = 0; i < std::max(t.texels.size(), t.colors.size()); ++i) body(t.factor * texel(t, i));
+  for (std::size_t i = 0; i < std::max(t.texels.size(), t.colors.size()); ++i)
+    body(t.factor * texel(t, i));
 }
 
 }  // namespace
@@ -41,8 +42,8 @@ Color mean(const Texture& texture) {
   const auto& bitmap = std::get<BitmapTexture>(texture);
   dvec3 sum(0);
   for_each_texel(bitmap, [&](const Color& c) { sum += dvec3(c); });
-  return Color(sum /
-               static_cast<double>(std::max({std::size_t{1}, bitmap.texels.size(), bitmap.colors.size()})));
+  return Color(sum / static_cast<double>(
+                         std::max({std::size_t{1}, bitmap.texels.size(), bitmap.colors.size()})));
 }
 
 float maximum(const Texture& texture) {
@@ -50,7 +51,8 @@ float maximum(const Texture& texture) {
   if (const auto* checker = std::get_if<CheckerTexture>(&texture)) {
     most = glm::max(checker->first, checker->second);
   } else {
-    for_each_texel(std::get<BitmapTexture>(texture), [&](const Color& c) { most = glm::max(most, c); });
+    for_each_texel(std::get<BitmapTexture>(texture),
+                   [&](const Color& c) { most = glm::max(most, c); });
   }
   return std::max({most.r, most.g, most.b});
 }

@@ -14,7 +14,8 @@ namespace facet {
    |----------------|----------|----------------------------------------------------------|
    | scalex, scaley | 1        | cells per unit of u and v, whole numbers                 |
    | color          |          | colour of both cells                                     |
-   | color1, color2 | 0.9, 0.1 | colour of the cells where floor(u scalex) + floor(v scaley) is even; odd |
+   | color1, color2 | 0.9, 0.1 | colour of the cells where floor(u scalex) + floor(v scaley) is
+   even; odd |
 */
 struct CheckerTexture {
   Color first{0.9F};
@@ -23,22 +24,24 @@ struct CheckerTexture {
   int scale_y = 1;
 };
 
-/* textmap: an image (PNG, JPEG, OpenEXR or Radiance HDR, told apart by its bytes), bilinear, repeating.
+/* textmap: an image (PNG, JPEG, OpenEXR or Radiance HDR, told apart by its bytes), bilinear,
+   repeating.
 
-   | parameter      | default | meaning                                                              |
+   | parameter      | default | meaning |
    |----------------|---------|----------------------------------------------------------------------|
-   | filename       |         | relative to the scene file                                           |
-   | color          | 1       | factor on the image                                                  |
-   | scalex, scaley | 1       | images per unit of u and v                                           |
-   | srgb           | false   | decode sRGB; else a texel is its bytes over 255, as in Nori          |
+   | filename       |         | relative to the scene file | | color          | 1       | factor on
+   the image                                                  | | scalex, scaley | 1       | images
+   per unit of u and v                                           | | srgb           | false   |
+   decode sRGB; else a texel is its bytes over 255, as in Nori          |
 
-   Samples of 16 bits are taken over 65535; OpenEXR and HDR hold values, which are taken as they are.
-   (u, v) looks up texel ((1 - u) W, (1 - v) H), row 0 being the top one. */
+   Samples of 16 bits are taken over 65535; OpenEXR and HDR hold values, which are taken as they
+   are. (u, v) looks up texel ((1 - u) W, (1 - v) H), row 0 being the top one. */
 struct BitmapTexture {
   int width = 1;
   int height = 1;
-  std::vector<std::uint32_t> texels;  ///< 0x00bbggrr, rows from the top; empty where there are `colors`
-  bool srgb = false;                  ///< of texels
+  std::vector<std::uint32_t>
+      texels;         ///< 0x00bbggrr, rows from the top; empty where there are `colors`
+  bool srgb = false;  ///< of texels
   Color factor{1};
   float scale_x = 1;
   float scale_y = 1;

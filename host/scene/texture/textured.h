@@ -4,7 +4,8 @@
 
 namespace facet {
 
-/// A value that is the same everywhere, or that of a texture (of a number: the texture's luminance).
+/// A value that is the same everywhere, or that of a texture (of a number: the texture's
+/// luminance).
 template <typename Value>
 struct Textured {
   Value value{};                 ///< of no meaning where there is a texture

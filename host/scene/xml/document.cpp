@@ -24,9 +24,9 @@ XmlDocument::XmlDocument(std::filesystem::path path, const std::string& bytes)
       document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
     const auto foreign = recognise_foreign_file(text_, "a scene in XML");
-    throw InputError(
-        {path_.string(), line_at(result.offset)},
-        fmt::format("not well-formed XML: {}{}", result.description(), foreign ? "; " + *foreign : ""));
+    throw InputError({path_.string(), line_at(result.offset)},
+                     fmt::format("not well-formed XML: {}{}", result.description(),
+                                 foreign ? "; " + *foreign : ""));
   }
   struct Walker : pugi::xml_tree_walker {
     explicit Walker(const XmlDocument& document) : xml(document) {}
@@ -49,8 +49,8 @@ void XmlDocument::check_attributes(const pugi::xml_node& element) const {
   for (const pugi::xml_attribute& attribute : element.attributes()) {
     if (!names.insert(attribute.name()).second)
       throw InputError(location(element),
-                       fmt::format("not well-formed XML: <{}> has the attribute \"{}\" twice", element.name(),
-                                   attribute.name()));
+                       fmt::format("not well-formed XML: <{}> has the attribute \"{}\" twice",
+                                   element.name(), attribute.name()));
     const std::string_view value = attribute.value();
     const std::size_t begin = std::min(value.find('&'), value.size());
     const std::size_t end = value.find(';', begin);
@@ -58,10 +58,11 @@ void XmlDocument::check_attributes(const pugi::xml_node& element) const {
     // "&amp;name;" has the same value, but is another text.
     const std::string_view entity = value.substr(begin, end + 1 - begin);
     if (text_.find(entity) != std::string::npos)
-      throw InputError(location(element),
-                       fmt::format("the entity {} is unknown; there are &amp; &lt; &gt; &quot; "
-                                   "&apos; and numbers, and entities of one's own are not supported",
-                                   entity));
+      throw InputError(
+          location(element),
+          fmt::format("the entity {} is unknown; there are &amp; &lt; &gt; &quot; "
+                      "&apos; and numbers, and entities of one's own are not supported",
+                      entity));
   }
 }
 
@@ -71,7 +72,8 @@ void XmlDocument::refuse_stray_content(const pugi::xml_node& parent) const {
     std::string text = child.value();
     text.erase(0, text.find_first_not_of(" \t\r\n"));
     text = text.substr(0, text.find_first_of("\r\n"));
-    throw InputError(location(child), fmt::format("stray text in {}: \"{}\"", title_of(parent), text));
+    throw InputError(location(child),
+                     fmt::format("stray text in {}: \"{}\"", title_of(parent), text));
   }
 }
 
@@ -83,8 +85,8 @@ std::vector<std::filesystem::path> XmlDocument::files() const {
 }
 
 int XmlDocument::line_at(std::ptrdiff_t offset) const {
-  const auto after =
-      std::upper_bound(line_starts_.begin(), line_starts_.end(), std::max<std::ptrdiff_t>(offset, 0));
+  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(),
+                                      std::max<std::ptrdiff_t>(offset, 0));
   return static_cast<int>(after - line_starts_.begin());
 }
 
@@ -92,8 +94,8 @@ SourceLocation XmlDocument::location(const pugi::xml_node& node) const {
   std::ptrdiff_t offset = node.offset_debug();
   // Text begins where the tag before it ends, often lines above its first letter.
   if (node.type() == pugi::node_pcdata) {
-    const std::size_t letter =
-        text_.find_first_not_of(" \t\r\n", static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    const std::size_t letter = text_.find_first_not_of(
+        " \t\r\n", static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
     if (letter != std::string::npos) offset = static_cast<std::ptrdiff_t>(letter);
   }
   return {path_.string(), line_at(offset)};

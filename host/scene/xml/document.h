@@ -28,7 +28,8 @@ class XmlDocument {
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
-  /// Throws InputError for what pugixml lets pass: an attribute that is given twice, an unknown entity.
+  /// Throws InputError for what pugixml lets pass: an attribute that is given twice, an unknown
+  /// entity.
   void check_attributes(const pugi::xml_node& element) const;
   [[nodiscard]] int line_at(std::ptrdiff_t offset) const;
 

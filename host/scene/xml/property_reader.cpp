@@ -11,8 +11,9 @@ namespace facet {
 
 namespace {
 
-const std::vector<std::string> object_tags{"scene",      "mesh",    "bsdf",    "texture", "emitter", "camera",
-                                           "integrator", "sampler", "rfilter", "test",    "medium",  "phase"};
+const std::vector<std::string> object_tags{"scene",   "mesh",   "bsdf",       "texture",
+                                           "emitter", "camera", "integrator", "sampler",
+                                           "rfilter", "test",   "medium",     "phase"};
 const std::vector<std::string> property_tags{"boolean", "integer", "float", "string",
                                              "point",   "vector",  "color", "transform"};
 
@@ -45,7 +46,8 @@ PropertyReader::PropertyReader(const XmlDocument& xml, const pugi::xml_node& obj
     } else {
       std::vector<std::string> known = object_tags;
       known.insert(known.end(), property_tags.begin(), property_tags.end());
-      throw InputError(xml.location(child), fmt::format("unknown tag <{}>{}", tag, did_you_mean(tag, known)));
+      throw InputError(xml.location(child),
+                       fmt::format("unknown tag <{}>{}", tag, did_you_mean(tag, known)));
     }
   }
 }
@@ -55,8 +57,9 @@ void PropertyReader::check_property(const pugi::xml_node& property) const {
   xml_.refuse_stray_content(property);
   for (const pugi::xml_node& child : property.children()) {
     if (child.type() != pugi::node_element) continue;
-    throw InputError(xml_.location(child), fmt::format("<{}> inside the property \"{}\" of {}", child.name(),
-                                                       property.attribute("name").value(), title()));
+    throw InputError(xml_.location(child),
+                     fmt::format("<{}> inside the property \"{}\" of {}", child.name(),
+                                 property.attribute("name").value(), title()));
   }
 }
 
@@ -64,17 +67,20 @@ std::string PropertyReader::title() const { return title_of(object_); }
 
 void PropertyReader::fail(const std::string& name, const std::string& message) const {
   const auto found = properties_.find(name);
-  const SourceLocation where = found == properties_.end() ? location() : xml_.location(found->second);
+  const SourceLocation where =
+      found == properties_.end() ? location() : xml_.location(found->second);
   throw InputError(where, fmt::format("{}: \"{}\" {}", title(), name, message));
 }
 
 void PropertyReader::check_textures(const std::string& name) const {
   for (const pugi::xml_node& child : children_) {
-    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
-    throw InputError(xml_.location(child),
-                     texture_names_.contains(name)
-                         ? fmt::format("{}: \"{}\" is given as a property and as a texture", title(), name)
-                         : fmt::format("{}: \"{}\" cannot be a texture", title(), name));
+    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name)
+      continue;
+    throw InputError(
+        xml_.location(child),
+        texture_names_.contains(name)
+            ? fmt::format("{}: \"{}\" is given as a property and as a texture", title(), name)
+            : fmt::format("{}: \"{}\" cannot be a texture", title(), name));
   }
 }
 
@@ -83,9 +89,11 @@ std::uint32_t PropertyReader::texture(const std::string& name, float most) {
   texture_names_.insert(name);
   std::uint32_t index = none;
   for (const pugi::xml_node& child : children_) {
-    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name) continue;
+    if (std::string_view(child.name()) != "texture" || child.attribute("name").value() != name)
+      continue;
     if (index != none)
-      throw InputError(xml_.location(child), fmt::format("{}: texture \"{}\" is given twice", title(), name));
+      throw InputError(xml_.location(child),
+                       fmt::format("{}: texture \"{}\" is given twice", title(), name));
     if (has(name)) check_textures(name);
     index = read_texture_(child, most);
   }
@@ -111,7 +119,8 @@ Textured<float> PropertyReader::textured_roughness(const std::string& name, floa
   return parameter;
 }
 
-std::optional<pugi::xml_node> PropertyReader::find(const std::string& name, const std::string& tag) {
+std::optional<pugi::xml_node> PropertyReader::find(const std::string& name,
+                                                   const std::string& tag) {
   known_names_.insert(name);
   check_textures(name);
   const auto found = properties_.find(name);
@@ -141,7 +150,8 @@ vec3 PropertyReader::point(const std::string& name, const vec3& fallback) {
 
 double PropertyReader::number(const std::string& name, double fallback) {
   const auto found = properties_.find(name);
-  const bool whole = found != properties_.end() && std::string_view(found->second.name()) == "integer";
+  const bool whole =
+      found != properties_.end() && std::string_view(found->second.name()) == "integer";
   return whole ? integer(name, 0, -(1 << 30), 1 << 30) : real(name, fallback);
 }
 
@@ -152,11 +162,13 @@ double PropertyReader::real(const std::string& name, double fallback) {
 
 double PropertyReader::real_above(const std::string& name, double fallback, double bound) {
   const double value = real(name, fallback);
-  if (!(value > bound)) fail(name, fmt::format("is {:g}, but must be greater than {:g}", value, bound));
+  if (!(value > bound))
+    fail(name, fmt::format("is {:g}, but must be greater than {:g}", value, bound));
   return value;
 }
 
-double PropertyReader::real_between(const std::string& name, double fallback, double least, double most) {
+double PropertyReader::real_between(const std::string& name, double fallback, double least,
+                                    double most) {
   const double value = real(name, fallback);
   if (!(value >= least && value <= most))
     fail(name, fmt::format("is {:g}, but must be {:g} to {:g}", value, least, most));
@@ -201,7 +213,8 @@ Color PropertyReader::color(const std::string& name, const Color& fallback) {
 Color PropertyReader::reflectance(const std::string& name, const Color& fallback) {
   const Color c = color(name, fallback);
   if (glm::any(glm::lessThan(c, Color(0))) || glm::any(glm::greaterThan(c, Color(1)))) {
-    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but a reflectance lies between 0 and 1", c.r, c.g, c.b));
+    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but a reflectance lies between 0 and 1", c.r,
+                           c.g, c.b));
   }
   return c;
 }
@@ -218,7 +231,8 @@ Color PropertyReader::radiance(const std::string& name, const Color& fallback) {
 Color PropertyReader::color_between(const std::string& name, float least, float most) {
   const Color c = color(name, Color(least));
   if (glm::any(glm::lessThan(c, Color(least))) || glm::any(glm::greaterThan(c, Color(most)))) {
-    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must be {:g} to {:g}", c.r, c.g, c.b, least, most));
+    fail(name, fmt::format("is ({:g}, {:g}, {:g}), but must be {:g} to {:g}", c.r, c.g, c.b, least,
+                           most));
   }
   return c;
 }
@@ -226,10 +240,9 @@ Color PropertyReader::color_between(const std::string& name, float least, float 
 float PropertyReader::roughness(const std::string& name, float fallback) {
   const double alpha = real(name, fallback);
   if (alpha < 1e-4)
-    fail(name,
-         fmt::format(
-             "is {:g}, below 0.0001: such a surface is smooth; use the delta model (mirror, dielectric)",
-             alpha));
+    fail(name, fmt::format("is {:g}, below 0.0001: such a surface is smooth; use the delta model "
+                           "(mirror, dielectric)",
+                           alpha));
   if (alpha > 1) fail(name, fmt::format("is {:g}, but roughness is at most 1", alpha));
   // The nearest float to 1e-4 lies below it.
   return static_cast<float>(alpha);
@@ -255,29 +268,32 @@ std::vector<pugi::xml_node> PropertyReader::children(const std::string& tag) {
 std::optional<pugi::xml_node> PropertyReader::only_child(const std::string& tag) {
   const std::vector<pugi::xml_node> found = children(tag);
   if (found.size() > 1)
-    throw InputError(xml_.location(found[1]), fmt::format("{} has more than one <{}>", title(), tag));
+    throw InputError(xml_.location(found[1]),
+                     fmt::format("{} has more than one <{}>", title(), tag));
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 void PropertyReader::finish(Diagnostics& diagnostics) {
   for (const pugi::xml_node& child : children_) {
     if (known_tags_.contains(child.name())) continue;
-    throw InputError(xml_.location(child), fmt::format("{} cannot hold a <{}>", title(), child.name()));
+    throw InputError(xml_.location(child),
+                     fmt::format("{} cannot hold a <{}>", title(), child.name()));
   }
   const std::vector<std::string> textures(texture_names_.begin(), texture_names_.end());
   for (const pugi::xml_node& child : children_) {
     const std::string name = child.attribute("name").value();
     if (std::string_view(child.name()) != "texture" || texture_names_.contains(name)) continue;
-    throw InputError(xml_.location(child), fmt::format("{} has no parameter \"{}\" for a texture{}", title(),
-                                                       name, did_you_mean(name, textures)));
+    throw InputError(xml_.location(child),
+                     fmt::format("{} has no parameter \"{}\" for a texture{}", title(), name,
+                                 did_you_mean(name, textures)));
   }
   std::set<std::string> known = known_names_;
   known.insert(texture_names_.begin(), texture_names_.end());
   const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& [name, node] : properties_) {
     if (known_names_.contains(name)) continue;
-    diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}", title(),
-                                                      name, did_you_mean(name, names)));
+    diagnostics.warn(xml_.location(node), fmt::format("{}: unknown property \"{}\" is ignored{}",
+                                                      title(), name, did_you_mean(name, names)));
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The properties and children of one object tag, handed out by name and type. What nobody asked for draws a
-// warning.
+// The properties and children of one object tag, handed out by name and type. What nobody asked for
+// draws a warning.
 #include <functional>
 #include <map>
 #include <optional>
@@ -18,14 +18,16 @@ namespace facet {
 /// Radiances beyond this would overflow on their way to the film.
 inline constexpr float largest_radiance = 1e30F;
 
-/// Reads a <texture> into the scene; returns its index. Throws InputError where a value lies beyond `most`.
+/// Reads a <texture> into the scene; returns its index. Throws InputError where a value lies beyond
+/// `most`.
 using TextureReader = std::function<std::uint32_t(const pugi::xml_node& texture, float most)>;
 
 class PropertyReader {
  public:
-  /// Throws InputError for tags that are no part of the language. read_texture: for objects whose parameters
-  /// may be textures.
-  PropertyReader(const XmlDocument& xml, const pugi::xml_node& object, TextureReader read_texture = {});
+  /// Throws InputError for tags that are no part of the language. read_texture: for objects whose
+  /// parameters may be textures.
+  PropertyReader(const XmlDocument& xml, const pugi::xml_node& object,
+                 TextureReader read_texture = {});
 
   [[nodiscard]] SourceLocation location() const { return xml_.location(object_); }
   [[nodiscard]] const XmlDocument& xml() const { return xml_; }
@@ -35,8 +37,8 @@ class PropertyReader {
   /// Whether the object has a property of that name.
   [[nodiscard]] bool has(const std::string& name) const { return properties_.contains(name); }
 
-  // Each returns the property, or the default where the object has none of that name. A property of another
-  // type, or out of the stated range, is an error.
+  // Each returns the property, or the default where the object has none of that name. A property of
+  // another type, or out of the stated range, is an error.
   bool boolean(const std::string& name, bool fallback);
   double real(const std::string& name, double fallback);
   /// A <float> or an <integer>.
@@ -54,8 +56,8 @@ class PropertyReader {
   Color color_between(const std::string& name, float least, float most);
   /// Beckmann or GGX alpha, 1e-4 to 1.
   float roughness(const std::string& name, float fallback);
-  /// The same from a texture where the object has one of that name, or of the other name, by which the lab
-  /// calls it.
+  /// The same from a texture where the object has one of that name, or of the other name, by which
+  /// the lab calls it.
   Textured<Color> textured_reflectance(const std::string& name, const Color& fallback,
                                        const std::string& also_called = "");
   Textured<float> textured_roughness(const std::string& name, float fallback);
@@ -75,8 +77,8 @@ class PropertyReader {
   /// The only such child; an error if there are two.
   std::optional<pugi::xml_node> only_child(const std::string& tag);
 
-  /// To be called when everything was asked for: children that cannot stand here are errors, properties that
-  /// nobody knows are warnings.
+  /// To be called when everything was asked for: children that cannot stand here are errors,
+  /// properties that nobody knows are warnings.
   void finish(Diagnostics& diagnostics);
 
   /// Throws InputError at the property (or at the object, where it has none of that name).

@@ -8,10 +8,12 @@
 
 namespace facet {
 
-std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& node, const char* name) {
+std::string required_attribute(const XmlDocument& xml, const pugi::xml_node& node,
+                               const char* name) {
   const pugi::xml_attribute attribute = node.attribute(name);
   if (!attribute) {
-    throw InputError(xml.location(node), fmt::format("<{}> lacks the attribute \"{}\"", node.name(), name));
+    throw InputError(xml.location(node),
+                     fmt::format("<{}> lacks the attribute \"{}\"", node.name(), name));
   }
   return attribute.value();
 }
@@ -20,21 +22,23 @@ std::string required_word(const XmlDocument& xml, const pugi::xml_node& node) {
   return std::string(trimmed(required_attribute(xml, node, "value")));
 }
 
-std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute,
-                                 std::size_t least, std::size_t most) {
+std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node,
+                                 const char* attribute, std::size_t least, std::size_t most) {
   const std::string text = required_attribute(xml, node, attribute);
   std::vector<double> numbers;
   for (const std::string_view part : split_list(text)) {
     const std::optional<double> number = parse_real(part);
     if (!number)
-      throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" is not a number", node.name(), part));
+      throw InputError(xml.location(node),
+                       fmt::format("<{}>: \"{}\" is not a number", node.name(), part));
     numbers.push_back(*number);
   }
   if (numbers.size() < least || numbers.size() > most) {
     const std::string wanted =
         least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
-    throw InputError(xml.location(node), fmt::format("<{}>: \"{}\" holds {} numbers; {} expected",
-                                                     node.name(), attribute, numbers.size(), wanted));
+    throw InputError(xml.location(node),
+                     fmt::format("<{}>: \"{}\" holds {} numbers; {} expected", node.name(),
+                                 attribute, numbers.size(), wanted));
   }
   return numbers;
 }
@@ -58,7 +62,8 @@ dmat4 read_matrix(const XmlDocument& xml, const pugi::xml_node& node) {
 
 dmat4 read_scale(const XmlDocument& xml, const pugi::xml_node& node) {
   const std::vector<double> v = read_numbers(xml, node, "value", 1, 3);
-  if (v.size() == 2) throw InputError(xml.location(node), "<scale>: one or three numbers expected, not two");
+  if (v.size() == 2)
+    throw InputError(xml.location(node), "<scale>: one or three numbers expected, not two");
   return glm::scale(dmat4(1), v.size() == 1 ? dvec3(v[0]) : dvec3(v[0], v[1], v[2]));
 }
 
@@ -86,17 +91,18 @@ dmat4 read_lookat(const XmlDocument& xml, const pugi::xml_node& node) {
     throw InputError(xml.location(node), "<lookat>: up is parallel to the direction of view");
   }
   const dvec3 unit_left = glm::normalize(left);
-  return {glm::dvec4(unit_left, 0), glm::dvec4(glm::cross(direction, unit_left), 0), glm::dvec4(direction, 0),
-          glm::dvec4(origin, 1)};
+  return {glm::dvec4(unit_left, 0), glm::dvec4(glm::cross(direction, unit_left), 0),
+          glm::dvec4(direction, 0), glm::dvec4(origin, 1)};
 }
 
 dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
   xml.refuse_stray_content(step);
   for (const pugi::xml_node& child : step.children()) {
     if (child.type() == pugi::node_element)
-      throw InputError(xml.location(child),
-                       fmt::format("<{}> inside the <{}> of a transform; steps stand one after another",
-                                   child.name(), step.name()));
+      throw InputError(
+          xml.location(child),
+          fmt::format("<{}> inside the <{}> of a transform; steps stand one after another",
+                      child.name(), step.name()));
   }
   const std::string_view name = step.name();
   if (name == "translate") return glm::translate(dmat4(1), read_vector(xml, step, "value"));
@@ -105,8 +111,8 @@ dmat4 read_step(const XmlDocument& xml, const pugi::xml_node& step) {
   if (name == "scale") return read_scale(xml, step);
   if (name == "lookat") return read_lookat(xml, step);
   const std::vector<std::string> known{"translate", "matrix", "rotate", "scale", "lookat"};
-  throw InputError(xml.location(step),
-                   fmt::format("<{}> is not a step of a transform{}", name, did_you_mean(name, known)));
+  throw InputError(xml.location(step), fmt::format("<{}> is not a step of a transform{}", name,
+                                                   did_you_mean(name, known)));
 }
 
 }  // namespace

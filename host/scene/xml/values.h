@@ -16,10 +16,12 @@ namespace facet {
 
 /// The attribute as `least` to `most` numbers.
 [[nodiscard]] std::vector<double> read_numbers(const XmlDocument& xml, const pugi::xml_node& node,
-                                               const char* attribute, std::size_t least, std::size_t most);
+                                               const char* attribute, std::size_t least,
+                                               std::size_t most);
 
 /// Three numbers.
-[[nodiscard]] dvec3 read_vector(const XmlDocument& xml, const pugi::xml_node& node, const char* attribute);
+[[nodiscard]] dvec3 read_vector(const XmlDocument& xml, const pugi::xml_node& node,
+                                const char* attribute);
 
 /// A <transform>: its steps in order, each multiplied on the left.
 [[nodiscard]] dmat4 read_transform(const XmlDocument& xml, const pugi::xml_node& node);
