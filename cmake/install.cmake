@@ -7,9 +7,9 @@ install(EXPORT facet-targets NAMESPACE facet:: DESTINATION ${package_folder})
 install(DIRECTORY include/facet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/scenes
   PATTERN "generate" EXCLUDE PATTERN ".gitignore" EXCLUDE)
-configure_package_config_file(cmake/facet-config.cmake.in ${CMAKE_BINARY_DIR}/facet-config.cmake
+configure_package_config_file(cmake/facet-config.cmake.in ${PROJECT_BINARY_DIR}/facet-config.cmake
   INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/facet-config-version.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/facet-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/facet-config.cmake ${CMAKE_BINARY_DIR}/facet-config-version.cmake
+install(FILES ${PROJECT_BINARY_DIR}/facet-config.cmake ${PROJECT_BINARY_DIR}/facet-config-version.cmake
   DESTINATION ${package_folder})

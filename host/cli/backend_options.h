@@ -2,28 +2,29 @@
 // Options about who computes: the kernels on a device, or the reference on the CPU.
 #include <facet/backend.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "cli/command_line.h"
 
 namespace facet::cli {
 
 /// What the options say.
 struct BackendChoice {
   std::string backend = "vulkan";
-  std::string precision;
+  std::optional<Precision> precision;
   std::string device;
   bool validate = false;
 
   [[nodiscard]] bool is_reference() const { return backend == "reference"; }
-  [[nodiscard]] bool in_double() const { return precision == "double"; }
+  [[nodiscard]] bool in_double() const { return precision == Precision::double_; }
   /// Throws InputError for options that belong to the other backend.
   [[nodiscard]] BackendOptions options() const;
 };
 
 /// --device.
-void add_device_option(CLI::App& command, std::string& device);
+void add_device_option(Command& command, std::string& device);
 
 /// --backend, --precision, --device and --validate.
-void add_backend_options(CLI::App& command, BackendChoice& choice);
+void add_backend_options(Command& command, BackendChoice& choice);
 
 }  // namespace facet::cli

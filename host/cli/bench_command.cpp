@@ -146,53 +146,43 @@ class BenchJob {
 };
 
 /// What was asked for by name stays.
-void make_quick(const CLI::App& command, BenchOptions& o) {
-  if (command.count("--rays") == 0) o.traversal.rays = quick_rays;
-  if (command.count("--repeats") == 0) o.traversal.repeats = quick_repeats;
-  if (command.count("--spp") == 0) o.samples_per_pixel = quick_samples;
+void make_quick(const Command& command, BenchOptions& o) {
+  if (!command.is_given("--rays")) o.traversal.rays = quick_rays;
+  if (!command.is_given("--repeats")) o.traversal.repeats = quick_repeats;
+  if (!command.is_given("--spp")) o.samples_per_pixel = quick_samples;
 }
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, Action& action) {
+void add_bench_command(CommandLine& line) {
   const auto options = std::make_shared<BenchOptions>();
   BenchOptions& o = *options;
-  CLI::App* command = app.add_subcommand("bench",
-                                         "Measure rays and samples per second: of generated "
-                                         "meshes, or of scenes and meshes that are named");
-  command->add_option("scenes", o.scenes,
-                      "Scene files: rays through their meshes, then whole renders");
-  command
-      ->add_option("--mesh", o.meshes,
-                   "Generated meshes by their number of triangles; without scenes: 10k,70k,1M")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--rays", o.traversal.rays, "Rays from the camera, about")
-      ->check(CLI::Range(1U << 10U, 1U << 20U))
-      ->capture_default_str();
-  command
-      ->add_option("--repeats", o.traversal.repeats,
-                   "Timed runs of each, of building three at most; the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--spp", o.samples_per_pixel, "Samples a pixel of whole renders")
-      ->check(CLI::Range(1U, 1U << 20U))
-      ->capture_default_str();
-  command->add_flag("--everything", o.with_everything,
-                    "Render scenes also with kernels that have every BSDF, emitter and texture in");
-  command->add_flag("--growth", o.growth,
-                    "Measure how a frame's time grows with pixels, samples and emitters");
-  command->add_flag("--quick", o.quick,
-                    fmt::format("A first look in seconds, with more scatter: --rays {} --repeats "
-                                "{} --spp {}, each unless "
-                                "given; --mesh {} alone; growth in fewer and smaller frames",
-                                quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
-  add_device_option(*command, o.device);
-  command->add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command->add_option("--html", o.html, "Write a page with plots and tables to this file");
-  command->callback([options, command, &action] {
-    if (options->quick) make_quick(*command, *options);
-    action = [options] { return BenchJob(*options).run(); };
+  Command command = line.add("bench",
+                             "Measure rays and samples per second: of generated meshes, or of "
+                             "scenes and meshes that are named");
+  command.arguments("scenes", o.scenes,
+                    "Scene files: rays through their meshes, then whole renders", false);
+  command.list("--mesh", o.meshes,
+               "Generated meshes by their number of triangles; without scenes: 10k,70k,1M");
+  command.number("--rays", o.traversal.rays, 1U << 10U, 1U << 20U, "Rays from the camera, about");
+  command.number("--repeats", o.traversal.repeats, 1, 1000,
+                 "Timed runs of each, of building three at most; the median counts");
+  command.number("--spp", o.samples_per_pixel, 1U, 1U << 20U, "Samples a pixel of whole renders");
+  command.flag("--everything", o.with_everything,
+               "Render scenes also with kernels that have every BSDF, emitter and texture in");
+  command.flag("--growth", o.growth,
+               "Measure how a frame's time grows with pixels, samples and emitters");
+  command.flag("--quick", o.quick,
+               fmt::format("A first look in seconds, with more scatter: --rays {} --repeats {} "
+                           "--spp {}, each unless given; --mesh {} alone; growth in fewer and "
+                           "smaller frames",
+                           quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
+  add_device_option(command, o.device);
+  add_json_option(command, o.json);
+  command.text("--html", o.html, "Write a page with plots and tables to this file");
+  command.action([options, command] {
+    if (options->quick) make_quick(command, *options);
+    return BenchJob(*options).run();
   });
 }
 

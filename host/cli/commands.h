@@ -1,26 +1,19 @@
 #pragma once
-// The subcommands. Each adds itself to the parser, with its options and what it does.
-#include <CLI/CLI.hpp>
-#include <functional>
+// The subcommands. Each adds itself to the command line, with its options and what it does.
+#include <string>
 
-#include "cli/exit_code.h"
+#include "cli/command_line.h"
 
 namespace facet::cli {
 
-/// What the chosen subcommand does; set while the command line is parsed.
-using Action = std::function<ExitCode()>;
-
-void add_render_command(CLI::App& app, Action& action);
-void add_bench_command(CLI::App& app, Action& action);
-void add_parity_command(CLI::App& app, Action& action);
-void add_merge_command(CLI::App& app, Action& action);
-void add_test_command(CLI::App& app, Action& action);
-void add_info_command(CLI::App& app, Action& action);
-void add_compare_command(CLI::App& app, Action& action);
-void add_devices_command(CLI::App& app, Action& action);
-
-/// "facet 0.1.0 (...), needs Vulkan 1.1"
-[[nodiscard]] std::string version_text();
+void add_render_command(CommandLine& line);
+void add_bench_command(CommandLine& line);
+void add_parity_command(CommandLine& line);
+void add_merge_command(CommandLine& line);
+void add_test_command(CommandLine& line);
+void add_info_command(CommandLine& line);
+void add_compare_command(CommandLine& line);
+void add_devices_command(CommandLine& line);
 
 /// Seconds since the process began.
 [[nodiscard]] double seconds_since_start();

@@ -68,74 +68,44 @@ ExitCode compare(const CompareCommand& command) {
   return comparison.violations.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
-/// Numbers from low to high; CLI11's own check lets NaN pass.
-CLI::Validator number_between(double low, double high, const std::string& what) {
-  const auto check = [=](const std::string& text) {
-    const std::optional<double> value = parse_real(text);
-    const bool fits = value && *value >= low && *value <= high;
-    return fits ? std::string() : fmt::format("\"{}\" is not {}", text, what);
-  };
-  return {check, ""};
-}
-
-void add_thresholds(CLI::App& command, CompareOptions& o) {
-  const CLI::Validator bound = number_between(0, INFINITY, "a number of at least 0");
-  const CLI::Validator share = number_between(0, 1, "a share from 0 to 1");
-  const auto add = [&command](const char* name, std::optional<double>& value, const char* help,
-                              const CLI::Validator& check) {
-    command.add_option(name, value, help)
-        ->check(check)
-        ->group("Thresholds (exit code 1 where one does not hold)");
-  };
-  add("--max-abs", o.max_abs, "Largest difference of a channel", bound);
-  add("--max-rmse", o.max_rmse, "Root of the mean squared difference", bound);
-  add("--max-relmse", o.max_relmse, "Mean squared difference relative to the reference", bound);
-  add("--max-flip", o.max_flip, "Mean LDR-FLIP", share);
-  add("--max-hdrflip", o.max_hdrflip, "Mean HDR-FLIP", share);
-  add("--min-identical", o.min_identical, "Least share of bit-identical pixels", share);
-  add("--max-beyond", o.max_beyond, "Share of pixels beyond --tolerance", share);
-  command
-      .add_flag(
-          "--z-test", o.z_test,
-          "Both images estimate the same expectation; both need the channels of --aov variance")
-      ->group("Thresholds (exit code 1 where one does not hold)");
+void add_thresholds(Command& command, CompareOptions& o) {
+  command.group("Thresholds (exit code 1 where one does not hold)");
+  command.number("--max-abs", o.max_abs, 0, INFINITY, "Largest difference of a channel");
+  command.number("--max-rmse", o.max_rmse, 0, INFINITY, "Root of the mean squared difference");
+  command.number("--max-relmse", o.max_relmse, 0, INFINITY,
+                 "Mean squared difference relative to the reference");
+  command.number("--max-flip", o.max_flip, 0, 1, "Mean LDR-FLIP");
+  command.number("--max-hdrflip", o.max_hdrflip, 0, 1, "Mean HDR-FLIP");
+  command.number("--min-identical", o.min_identical, 0, 1, "Least share of bit-identical pixels");
+  command.number("--max-beyond", o.max_beyond, 0, 1, "Share of pixels beyond --tolerance");
+  command.flag(
+      "--z-test", o.z_test,
+      "Both images estimate the same expectation; both need the channels of --aov variance");
+  command.group("");
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Action& action) {
+void add_compare_command(CommandLine& line) {
   const auto options = std::make_shared<CompareCommand>();
   CompareOptions& o = options->comparison;
-  CLI::App* command =
-      app.add_subcommand("compare", "Measure the error of an image against a reference");
-  command->add_option("image", o.image, "Image, .exr or .png")->required();
-  command->add_option("reference", o.reference, "Reference image of the same size, .exr or .png")
-      ->required();
-  add_thresholds(*command, o);
-  command
-      ->add_option(
-          "--tolerance", o.tolerance,
-          "T: a pixel is beyond it if |a - r| > T (|r| + 0.01 mean luminance of r) in a channel")
-      ->check(number_between(0, INFINITY, "a number of at least 0"))
-      ->capture_default_str();
-  command
-      ->add_option("--significance", o.significance,
-                   "Of the z-test: how often equal expectations may fail it")
-      ->check(number_between(1e-15, 0.5, "a significance from 1e-15 to 0.5"))
-      ->capture_default_str();
-  command
-      ->add_option("--ppd", o.pixels_per_degree,
-                   "Of FLIP: pixels in a degree of the viewer's visual angle")
-      ->check(number_between(1, 1000, "a number from 1 to 1000"))
-      ->capture_default_str();
-  command->add_flag("--trim", o.trim,
-                    "--max-relmse bounds the relMSE without the 0.1 % largest pixel terms");
-  command->add_option("--json", options->json,
-                      "Write a report to this file, - for standard output");
-  command->add_option(
-      "--html", options->html,
-      "Write a self-contained page that shows images, differences and the worst pixels");
-  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+  Command command = line.add("compare", "Measure the error of an image against a reference");
+  command.argument("image", o.image, "Image, .exr or .png");
+  command.argument("reference", o.reference, "Reference image of the same size, .exr or .png");
+  add_thresholds(command, o);
+  command.number("--tolerance", o.tolerance, 0, INFINITY,
+                 "T: a pixel is beyond it if |a - r| > T (|r| + 0.01 mean luminance of r) in a "
+                 "channel");
+  command.number("--significance", o.significance, 1e-15, 0.5,
+                 "Of the z-test: how often equal expectations may fail it");
+  command.number("--ppd", o.pixels_per_degree, 1, 1000,
+                 "Of FLIP: pixels in a degree of the viewer's visual angle");
+  command.flag("--trim", o.trim,
+               "--max-relmse bounds the relMSE without the 0.1 % largest pixel terms");
+  add_json_option(command, options->json);
+  command.text("--html", options->html,
+               "Write a self-contained page that shows images, differences and the worst pixels");
+  command.action([options] { return compare(*options); });
 }
 
 }  // namespace facet::cli

@@ -36,10 +36,9 @@ ExitCode list_devices() {
 
 }  // namespace
 
-void add_devices_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "devices", "List the Vulkan devices, what each lacks, and which one is used and why");
-  command->callback([&action] { action = list_devices; });
+void add_devices_command(CommandLine& line) {
+  line.add("devices", "List the Vulkan devices, what each lacks, and which one is used and why")
+      .action(list_devices);
 }
 
 }  // namespace facet::cli

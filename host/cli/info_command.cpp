@@ -120,19 +120,15 @@ ExitCode print_info(const InfoOptions& options) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, Action& action) {
+void add_info_command(CommandLine& line) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      app.add_subcommand("info", "Show what a scene holds and what will be compiled for it");
-  command->add_option("scene", options->scene, "Scene file (XML)");
-  command->add_flag("--supported", options->supported, "List the plugins of the scene language");
-  command
-      ->add_option("--plugins", options->plugin,
-                   "List the plugins in a line each, or print the manual of NAME")
-      ->expected(0, 1)
-      ->type_name("[NAME]");
-  command->add_flag("--strict", options->strict, "Warnings are errors");
-  command->callback([options, &action] { action = [options] { return print_info(*options); }; });
+  Command command = line.add("info", "Show what a scene holds and what will be compiled for it");
+  command.argument("scene", options->scene, "Scene file (XML)", false);
+  command.flag("--supported", options->supported, "List the plugins of the scene language");
+  command.optional_text("--plugins", options->plugin, "[NAME]",
+                        "List the plugins in a line each, or print the manual of NAME");
+  command.flag("--strict", options->strict, "Warnings are errors");
+  command.action([options] { return print_info(*options); });
 }
 
 }  // namespace facet::cli

@@ -24,28 +24,16 @@ const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::n
 /// Commands of the contract that are still to come.
 const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
 
+/// "facet 0.1.0 (...), needs Vulkan 1.1"
+std::string version_text() {
+  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER,
+                     VK_API_VERSION_MAJOR(gpu::minimum_vulkan_version),
+                     VK_API_VERSION_MINOR(gpu::minimum_vulkan_version));
+}
+
 int fail(const std::string& message, ExitCode code) {
   say("facet: {}\n", message);
   return static_cast<int>(code);
-}
-
-/// The message for a command line that cannot be parsed.
-std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
-                          char** argv) {
-  std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first.starts_with('-'))
-    return fmt::format("unknown option \"{}\"; \"facet --help\" lists what there is", first);
-  if (first.empty() || std::find(known.begin(), known.end(), first) != known.end()) {
-    return fmt::format("{}; \"facet {}--help\" lists what there is", error.what(),
-                       first.empty() ? "" : first + " ");
-  }
-  if (std::find(planned_commands.begin(), planned_commands.end(), first) !=
-      planned_commands.end()) {
-    return fmt::format("the command \"{}\" is not supported yet", first);
-  }
-  return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
 }
 
 /// A full disk behind standard output must not pass for success.
@@ -55,27 +43,17 @@ int with_output_written(int exit_code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("facet: a path tracer in Vulkan compute shaders that proves its images right",
-               "facet");
-  app.set_version_flag("--version", version_text(),
-                       "Version, compiler and the Vulkan version needed");
-  app.require_subcommand(1);
-  Action action;
-  add_render_command(app, action);
-  add_merge_command(app, action);
-  add_compare_command(app, action);
-  add_bench_command(app, action);
-  add_parity_command(app, action);
-  add_test_command(app, action);
-  add_info_command(app, action);
-  add_devices_command(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return with_output_written(app.exit(error));
-    return fail(usage_message(app, error, argc, argv), ExitCode::bad_input);
-  }
-  return with_output_written(static_cast<int>(action()));
+  CommandLine line("facet: a path tracer in Vulkan compute shaders that proves its images right",
+                   version_text());
+  add_render_command(line);
+  add_merge_command(line);
+  add_compare_command(line);
+  add_bench_command(line);
+  add_parity_command(line);
+  add_test_command(line);
+  add_info_command(line);
+  add_devices_command(line);
+  return with_output_written(static_cast<int>(line.run(argc, argv, planned_commands)));
 }
 
 /// Descriptors 0 to 2 that whoever started the program has closed would go to the next files that
@@ -91,12 +69,6 @@ void open_standard_streams() {
 
 double seconds_since_start() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string version_text() {
-  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER,
-                     VK_API_VERSION_MAJOR(gpu::minimum_vulkan_version),
-                     VK_API_VERSION_MINOR(gpu::minimum_vulkan_version));
 }
 
 }  // namespace facet::cli

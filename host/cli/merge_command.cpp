@@ -126,34 +126,24 @@ class MergeJob {
   std::vector<std::string> written_;  ///< files
 };
 
-void add_options(CLI::App& command, MergeOptions& o) {
-  command
-      .add_option("parts", o.parts,
-                  "EXR files that facet render --sample-range or facet merge wrote")
-      ->required();
-  command
-      .add_option("-o,--output", o.outputs,
-                  "Image to write, .exr or .png; may be repeated. An EXR is a part again")
-      ->required()
-      ->allow_extra_args(false);
-  command.add_option("--sample-range", o.sample_range,
-                     "Refuse unless the parts hold just the samples A:B together (B excluded)");
-  command.add_flag("--allow-gaps", o.allow_gaps,
-                   "Merge although samples between the parts are missing");
-  add_aov_option(command, o.aovs);
-  add_exposure_option(command, o.exposure);
-  command.add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
-}
-
 }  // namespace
 
-void add_merge_command(CLI::App& app, Action& action) {
+void add_merge_command(CommandLine& line) {
   const auto options = std::make_shared<MergeOptions>();
-  CLI::App* command = app.add_subcommand("merge", "Join renders of disjoint sample ranges");
-  add_options(*command, *options);
-  command->callback(
-      [options, &action] { action = [options] { return MergeJob(*options).run(); }; });
+  MergeOptions& o = *options;
+  Command command = line.add("merge", "Join renders of disjoint sample ranges");
+  command.arguments("parts", o.parts,
+                    "EXR files that facet render --sample-range or facet merge wrote");
+  command.texts("-o,--output", o.outputs,
+                "Image to write, .exr or .png; may be repeated. An EXR is a part again", true);
+  command.text("--sample-range", o.sample_range,
+               "Refuse unless the parts hold just the samples A:B together (B excluded)");
+  command.flag("--allow-gaps", o.allow_gaps,
+               "Merge although samples between the parts are missing");
+  add_aov_option(command, o.aovs);
+  add_exposure_option(command, o.exposure);
+  add_report_options(command, o.json, o.quiet);
+  command.action([options] { return MergeJob(*options).run(); });
 }
 
 }  // namespace facet::cli

@@ -41,23 +41,26 @@ std::string write_image(const std::string& file, const Image& image, float expos
 
 bool is_exr(const std::string& file) { return output_format(file) == ImageFormat::exr; }
 
-void add_aov_option(CLI::App& command, std::vector<std::string>& aovs) {
-  command.add_option("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"variance"}));
+void add_aov_option(Command& command, std::vector<std::string>& aovs) {
+  command.list("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)",
+               {"variance"});
 }
 
 bool wants_variance(const std::vector<std::string>& aovs) {
   return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
 }
 
-void add_exposure_option(CLI::App& command, float& exposure) {
-  command.add_option("--exposure", exposure, "Stops by which PNG images are brightened")
-      ->check(CLI::Range(-100.F, 100.F))
-      ->check([](const std::string& text) {
-        return parse_real(text) ? std::string() : "must be a number";
-      });
+void add_exposure_option(Command& command, float& exposure) {
+  command.number("--exposure", exposure, -100.F, 100.F, "Stops by which PNG images are brightened");
+}
+
+void add_json_option(Command& command, std::string& json) {
+  command.text("--json", json, "Write a report to this file, - for standard output");
+}
+
+void add_report_options(Command& command, std::string& json, bool& quiet) {
+  add_json_option(command, json);
+  command.flag("--quiet", quiet, "Nothing but errors and warnings on standard error");
 }
 
 void check_outputs(const std::vector<std::string>& images, const std::vector<std::string>& others) {

@@ -1,10 +1,10 @@
 #pragma once
 // Image files that commands write: the options about them, checks before any work, writing.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "core/diagnostics.h"
 #include "image/files.h"
 
@@ -16,11 +16,16 @@ void print_warnings(const Diagnostics& diagnostics);
 [[nodiscard]] bool is_exr(const std::string& file);
 
 /// --aov: names of further EXR channels.
-void add_aov_option(CLI::App& command, std::vector<std::string>& aovs);
+void add_aov_option(Command& command, std::vector<std::string>& aovs);
 [[nodiscard]] bool wants_variance(const std::vector<std::string>& aovs);
 
 /// --exposure: stops by which PNG images are brightened.
-void add_exposure_option(CLI::App& command, float& exposure);
+void add_exposure_option(Command& command, float& exposure);
+
+/// --json.
+void add_json_option(Command& command, std::string& json);
+/// --json and --quiet.
+void add_report_options(Command& command, std::string& json, bool& quiet);
 
 /// Throws InputError unless images of these names can be written, each once, and the other files
 /// beside them (reports and pages; empty: none, "-": standard output).

@@ -243,17 +243,16 @@ class ParityJob {
 
 }  // namespace
 
-void add_parity_command(CLI::App& app, Action& action) {
+void add_parity_command(CommandLine& line) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand(
+  Command command = line.add(
       "parity",
       "Compare the kernels with the CPU reference in two precisions, sample by sample (4 samples a "
       "pixel by default), and explain every difference; exits 1 where one cannot be explained");
-  add_scene_options(*command, *options);
-  add_device_option(*command, options->backend.device);
-  add_sampling_option(*command, options->request.sampling, false);
-  command->callback(
-      [options, &action] { action = [options] { return ParityJob(*options).run(); }; });
+  add_scene_options(command, *options);
+  add_device_option(command, options->backend.device);
+  add_sampling_option(command, options->request.sampling, false);
+  command.action([options] { return ParityJob(*options).run(); });
 }
 
 }  // namespace facet::cli

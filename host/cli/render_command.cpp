@@ -123,12 +123,11 @@ class RenderJob {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Action& action) {
+void add_render_command(CommandLine& line) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Render a scene");
-  add_render_options(*command, *options);
-  command->callback(
-      [options, &action] { action = [options] { return RenderJob(*options).run(); }; });
+  Command command = line.add("render", "Render a scene");
+  add_render_options(command, *options);
+  command.action([options] { return RenderJob(*options).run(); });
 }
 
 }  // namespace facet::cli

@@ -33,67 +33,49 @@ std::array<int, count> parse_integers(const std::string& text, char separator, c
   return numbers;
 }
 
-/// An option that is one of the first `count` words of an enumeration.
-template <typename Words, typename Value>
-CLI::Option* add_words(CLI::App& command, const std::string& name, Value& value, const Words& words,
-                       const std::string& help, std::size_t count = Words().size()) {
-  const auto set = [&value, &words](const std::string& word) {
-    value = value_of(words, word).value();
-  };
-  return command.add_option_function<std::string>(name, set, help)
-      ->check(CLI::IsMember(names_of(words, count)));
-}
-
 }  // namespace
 
-void add_sampling_option(CLI::App& command, LobeSampling& sampling, bool with_uniform) {
+void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uniform) {
   std::string help = "Half vectors of rough lobes: from the ndf, or visible from the viewer";
   if (with_uniform)
     help +=
         "; uniform: the reference ignores what BSDFs know of sampling and takes the uniform "
-        "hemisphere (of "
-        "what transmits, the sphere)";
-  add_words(command, "--sampling", sampling, lobe_sampling_words, help, with_uniform ? 3 : 2)
-      ->default_str("visible");
+        "hemisphere (of what transmits, the sphere)";
+  command.word("--sampling", sampling, lobe_sampling_words, help, with_uniform ? 3 : 2);
 }
 
-void add_scene_options(CLI::App& command, RenderOptions& o) {
+void add_scene_options(Command& command, RenderOptions& o) {
   RenderRequest& r = o.request;
-  command.add_option("scene", o.scene, "Scene file (XML)")->required();
-  command.add_option("--spp", r.samples, "Samples per pixel")->check(CLI::Range(1, 1 << 30));
-  command.add_option("--integrator", r.integrator, "Integrator, by its name in the scene language");
-  command.add_option("--sampler", r.sampler,
-                     "Sampler, by its name in the scene language: independent or sobol");
-  command.add_option("--max-depth", r.max_depth, "Surface interactions of a path, -1: unlimited")
-      ->check(CLI::Range(-1, 1 << 30));
-  command.add_option("--resolution", o.resolution, "Size of the image, WxH");
-  command.add_option("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
-  command.add_option("--pixel", o.pixel, "Compute only the pixel X,Y; render prints its value");
-  command.add_option("--seed", r.seed, "Seed of the random numbers");
-  command.add_option("--sample-range", o.sample_range,
-                     "Render only the samples A:B of each pixel (B excluded)");
-  add_words(command, "--heuristic", r.heuristic, heuristic_words, "MIS weights");
-  add_words(command, "--emitter-selection", r.emitter_selection, emitter_selection_words,
-            "How the emitter of a light sample is chosen");
-  add_words(command, "--masking", r.masking, masking_words,
-            "Masking function of Beckmann's distribution");
-  command.add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command.add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
-  command.add_flag("--strict", o.strict, "Warnings are errors");
+  command.argument("scene", o.scene, "Scene file (XML)");
+  command.number("--spp", r.samples, 1, 1 << 30, "Samples per pixel");
+  command.text("--integrator", r.integrator, "Integrator, by its name in the scene language");
+  command.text("--sampler", r.sampler,
+               "Sampler, by its name in the scene language: independent or sobol");
+  command.number("--max-depth", r.max_depth, -1, 1 << 30,
+                 "Surface interactions of a path, -1: unlimited");
+  command.text("--resolution", o.resolution, "Size of the image, WxH");
+  command.text("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
+  command.text("--pixel", o.pixel, "Compute only the pixel X,Y; render prints its value");
+  add_seed_option(command, r.seed);
+  command.text("--sample-range", o.sample_range,
+               "Render only the samples A:B of each pixel (B excluded)");
+  command.word("--heuristic", r.heuristic, heuristic_words, "MIS weights");
+  command.word("--emitter-selection", r.emitter_selection, emitter_selection_words,
+               "How the emitter of a light sample is chosen");
+  command.word("--masking", r.masking, masking_words,
+               "Masking function of Beckmann's distribution");
+  add_report_options(command, o.json, o.quiet);
+  command.flag("--strict", o.strict, "Warnings are errors");
 }
 
-void add_render_options(CLI::App& command, RenderOptions& o) {
+void add_render_options(Command& command, RenderOptions& o) {
   add_scene_options(command, o);
-  command.get_option("--sample-range")
-      ->description(
-          "Render only the samples A:B of each pixel (B excluded); their EXR is a part, which "
-          "facet "
-          "merge joins with others");
-  command
-      .add_option(
-          "-o,--output", o.outputs,
-          "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png here")
-      ->allow_extra_args(false);
+  command.describe("--sample-range",
+                   "Render only the samples A:B of each pixel (B excluded); their EXR is a part, "
+                   "which facet merge joins with others");
+  command.texts("-o,--output", o.outputs,
+                "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png "
+                "here");
   add_backend_options(command, o.backend);
   add_sampling_option(command, o.request.sampling, true);
   add_aov_option(command, o.aovs);

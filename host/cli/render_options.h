@@ -1,6 +1,5 @@
 #pragma once
 // The options of `facet render`, and the request that they make.
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,13 +28,19 @@ struct RenderOptions {
 };
 
 /// Adds the options that name a scene and what of it is computed.
-void add_scene_options(CLI::App& command, RenderOptions& options);
+void add_scene_options(Command& command, RenderOptions& options);
 
 /// Adds every option of `facet render`.
-void add_render_options(CLI::App& command, RenderOptions& options);
+void add_render_options(Command& command, RenderOptions& options);
+
+/// --seed.
+template <typename Seed>
+void add_seed_option(Command& command, Seed& seed) {
+  command.number("--seed", seed, 0U, 0xffffffffU, "Seed of the random numbers");
+}
 
 /// --sampling, of kernels; with_uniform: also that of the reference alone.
-void add_sampling_option(CLI::App& command, LobeSampling& sampling, bool with_uniform);
+void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uniform);
 
 /// The whole request. Throws InputError for what cannot be parsed.
 [[nodiscard]] RenderRequest make_request(const RenderOptions& options);

@@ -138,29 +138,23 @@ class TestJob {
 
 }  // namespace
 
-void add_test_command(CLI::App& app, Action& action) {
+void add_test_command(CommandLine& line) {
   const auto options = std::make_shared<TestOptions>();
   TestOptions& o = *options;
-  CLI::App* command =
-      app.add_subcommand("test",
-                         "Run Nori's statistical tests (<test type=\"ttest\">, <test "
-                         "type=\"chi2test\">); one line a case, exits "
-                         "1 where one fails");
-  command->add_option("files", o.files, "Test files (XML)")->required();
-  add_backend_options(*command, o.backend);
-  add_sampling_option(*command, o.sampling, false);
-  command->add_option("--seed", o.seed, "Seed of the random numbers")->capture_default_str();
-  command
-      ->add_option(
-          "--pictures", o.pictures,
-          "Folder for the pictures of failed chi^2 tests: histograms observed, expected, and their "
-          "difference (red: too many, blue: too few)")
-      ->capture_default_str();
-  command->add_option("--junit", o.junit, "Write a report in JUnit's XML to this file");
-  command->add_option("--json", o.json, "Write a report to this file, - for standard output");
-  command->add_flag("--quiet", o.quiet, "Nothing but errors and warnings on standard error");
-  command->add_flag("--strict", o.strict, "Warnings are errors");
-  command->callback([options, &action] { action = [options] { return TestJob(*options).run(); }; });
+  Command command = line.add("test",
+                             "Run Nori's statistical tests (<test type=\"ttest\">, <test "
+                             "type=\"chi2test\">); one line a case, exits 1 where one fails");
+  command.arguments("files", o.files, "Test files (XML)");
+  add_backend_options(command, o.backend);
+  add_sampling_option(command, o.sampling, false);
+  add_seed_option(command, o.seed);
+  command.text("--pictures", o.pictures,
+               "Folder for the pictures of failed chi^2 tests: histograms observed, expected, and "
+               "their difference (red: too many, blue: too few)");
+  command.text("--junit", o.junit, "Write a report in JUnit's XML to this file");
+  add_report_options(command, o.json, o.quiet);
+  command.flag("--strict", o.strict, "Warnings are errors");
+  command.action([options] { return TestJob(*options).run(); });
 }
 
 }  // namespace facet::cli

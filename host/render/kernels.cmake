@@ -7,7 +7,7 @@ find_program(SPIRV_VAL spirv-val REQUIRED)
 set(FACET_KERNELS bounce schedule film camera closest any)
 # They see no geometry, and read one BSDF from a storage buffer.
 set(FACET_EVALUATION_KERNELS evaluate sample)
-set(FACET_KERNEL_DIR ${CMAKE_BINARY_DIR}/kernels)
+set(FACET_KERNEL_DIR ${PROJECT_BINARY_DIR}/kernels)
 file(MAKE_DIRECTORY ${FACET_KERNEL_DIR})
 
 set(kernel_arguments)
@@ -15,7 +15,7 @@ set(kernel_inputs)
 set(kernel_outputs)
 macro(facet_kernel kernel fetch)
   set(name ${kernel}_${fetch})
-  set(source ${CMAKE_SOURCE_DIR}/shaders/kernels/${kernel}.comp)
+  set(source ${PROJECT_SOURCE_DIR}/shaders/kernels/${kernel}.comp)
   set(raw ${FACET_KERNEL_DIR}/${name}.raw.spv)
   add_custom_command(
     OUTPUT ${raw}

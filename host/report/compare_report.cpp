@@ -14,6 +14,34 @@ std::string share_text(const ErrorMetrics& e, std::size_t count) {
   return fmt::format("{:.4g} % ({} of {} pixels)", 100 * e.share(count), count, e.pixels);
 }
 
+constexpr std::size_t worst_count = 12;
+
+/// R, G and B of a pixel.
+nlohmann::json color_json(const Image& image, std::size_t pixel) {
+  const auto planes = rgb_planes(image);
+  return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
+}
+
+/// The pixels of the largest errors, with the commands that render them again where there are such.
+nlohmann::ordered_json worst_json(const Comparison& c) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  const ImageWindow& w = c.image.window;
+  const ImageSize size{w.full_width, w.full_height};
+  for (const std::size_t i : worst_pixels(c.errors, worst_count)) {
+    const auto width = static_cast<std::size_t>(c.image.width());
+    const int x = static_cast<int>(i % width) + w.x;
+    const int y = static_cast<int>(i / width) + w.y;
+    list.push_back({{"pixel", {x, y}},
+                    {"image", color_json(c.image, i)},
+                    {"reference", color_json(c.reference, i)},
+                    {"relative_error", std::sqrt(c.errors.terms[i])},
+                    {"flip", c.flip.map[i]},
+                    {"image_command", rerun_command(c.image_record, size, x, y)},
+                    {"reference_command", rerun_command(c.reference_record, size, x, y)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparison& c) {
@@ -81,6 +109,7 @@ nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comp
       {"identical", {{"pixels", e.identical}, {"share", e.share(e.identical)}}},
       {"beyond",
        {{"tolerance", options.tolerance}, {"pixels", e.beyond}, {"share", e.share(e.beyond)}}},
+      {"worst", worst_json(c)},
       {"z_test", nullptr},
       {"warnings", c.warnings},
       {"violations", c.violations},

@@ -221,7 +221,7 @@ TEST_F(CompareCliTest, BadOptions) {
       expect_failure({"compare", "a.exr", "a.exr", std::string(option) + "=" + value}, 2, {option});
   }
   expect_failure({"compare", "a.exr", "a.exr", "--min-identical", "1.5"}, 2,
-                 {"--min-identical", "share from 0 to 1"});
+                 {"--min-identical", "number from 0 to 1"});
   expect_failure({"compare", "a.exr", "a.exr", "--json", "a.exr"}, 2,
                  {"a.exr", "read and written"});
   expect_failure({"compare", "a.exr", "a.exr", "--json", "c", "--html", "./c"}, 2,

@@ -1,0 +1,121 @@
+// The commands that reports print render the same value again.
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cli/program.h"
+#include "image/files.h"
+#include "image/record.h"
+
+namespace facet::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Every option that decides about an image's values, away from what the scene or the program would
+/// choose.
+const std::map<std::string, std::string>& options() {
+  static const std::map<std::string, std::string> list{{"--integrator", "path_mis"},
+                                                       {"--sampler", "sobol"},
+                                                       {"--max-depth", "3"},
+                                                       {"--heuristic", "power"},
+                                                       {"--emitter-selection", "uniform"},
+                                                       {"--masking", "exact"},
+                                                       {"--sampling", "ndf"},
+                                                       {"--sample-range", "3:9"},
+                                                       {"--seed", "7"},
+                                                       {"--backend", "reference"},
+                                                       {"--precision", "double"}};
+  return list;
+}
+
+/// A rough scene under two lamps of unlike powers, in a folder and a file whose names a shell must
+/// not read.
+class RerunCliTest : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    folder_.write("lamp.obj", "v 0.5 1 -0.5\nv 0.7 1 -0.5\nv 0.7 1 0\nv 0.5 1 0\nf 1 2 3 4\n");
+    const std::string metal =
+        R"(<bsdf type="roughconductor"><float name="alpha" value="0.4"/></bsdf>)";
+    const std::string bright =
+        R"(<emitter type="area"><color name="radiance" value="9, 7, 5"/></emitter>)";
+    write_scene(scene_, mesh("floor.obj", metal) + light() + mesh("lamp.obj", bright));
+  }
+
+  /// `facet render` with the options but those that are left out.
+  [[nodiscard]] Words render(const std::string& output,
+                             const std::set<std::string>& without) const {
+    Words words{"render", "--resolution", "12x10", "-o", output};
+    for (const auto& [option, value] : options()) {
+      if (!without.contains(option)) words.push_back(option + "=" + value);
+    }
+    words.insert(words.end(), {"--", scene_});
+    return words;
+  }
+
+  /// What the first pixel of a comparison with a black image says, and what its command prints.
+  void expect_same_value(const std::string& image) {
+    Image black(12, 10, {"R", "G", "B"});
+    write_exr(folder_.file("black.exr"), black);
+    const Result compared = run({"compare", image, "black.exr", "--json", "-"});
+    ASSERT_EQ(compared.code, 0) << compared.err;
+    const nlohmann::json worst = nlohmann::json::parse(compared.out)["worst"];
+    ASSERT_FALSE(worst.empty());
+    for (std::size_t i = 0; i < std::min<std::size_t>(worst.size(), 3); ++i)
+      expect_command(worst[i]);
+  }
+
+  void expect_command(const nlohmann::json& worst) {
+    std::string command = worst["image_command"];
+    ASSERT_TRUE(command.starts_with("facet render ")) << command;
+    command.replace(0, 5, "'" + std::string(FACET_PROGRAM) + "'");
+    const Result value = finish(start_command({"sh", "-c", command}));
+    ASSERT_EQ(value.code, 0) << command << '\n' << value.err;
+    const auto color = worst["image"].get<std::vector<float>>();
+    EXPECT_EQ(value.out,
+              fmt::format("pixel {},{}: {:.9g} {:.9g} {:.9g}\n", worst["pixel"][0].get<int>(),
+                          worst["pixel"][1].get<int>(), color[0], color[1], color[2]))
+        << command;
+  }
+
+  const std::string scene_ = "-the lab's $scene.xml";
+};
+
+TEST_F(RerunCliTest, EveryOptionIsTried) {
+  for (const RecordField& field : record_fields()) {
+    if (field.option == nullptr) continue;
+    EXPECT_TRUE(options().contains(field.option)) << field.option;
+  }
+}
+
+TEST_F(RerunCliTest, EveryOptionIsRecorded) {
+  ASSERT_EQ(run({"render", "-o", "plain.exr", "--", scene_}).code, 0);
+  ASSERT_EQ(run(render("a.exr", {})).code, 0);
+  const Metadata plain = read_exr(folder_.file("plain.exr")).metadata;
+  const Metadata changed = read_exr(folder_.file("a.exr")).metadata;
+  for (const RecordField& field : record_fields()) {
+    if (field.option == nullptr) continue;
+    const std::string* before = find_metadata(plain, field.key);
+    const std::string* after = find_metadata(changed, field.key);
+    ASSERT_NE(after, nullptr) << field.key;
+    EXPECT_EQ(*after, options().at(field.option));
+    EXPECT_NE(before == nullptr ? "" : *before, *after) << field.key;
+  }
+}
+
+TEST_F(RerunCliTest, TheReferenceRendersTheSameValueAgain) {
+  ASSERT_EQ(run(render("a.exr", {})).code, 0);
+  expect_same_value("a.exr");
+}
+
+TEST_F(RerunCliTest, TheKernelsRenderTheSameValueAgain) {
+  ASSERT_EQ(run(render("a.exr", {"--backend", "--precision"})).code, 0);
+  expect_same_value("a.exr");
+  // What no option says follows the scene, then and now.
+  ASSERT_EQ(run({"render", "-o", "b.exr", "--resolution", "12x10", "--", scene_}).code, 0);
+  expect_same_value("b.exr");
+}
+
+}  // namespace
+}  // namespace facet::test
