@@ -7,7 +7,15 @@ function(facet_room name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> PRIVATE ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(facet_${name} PUBLIC ${ROOM_LIBRARIES}
     PRIVATE facet_warnings ${ROOM_PRIVATE_LIBRARIES})
+  facet_unite(facet_${name})
   foreach(used IN LISTS ROOM_USES)
     target_link_libraries(facet_${name} PUBLIC facet_${used})
   endforeach()
+endfunction()
+
+# Compiles the target's files sixteen at a time: a third of the processor's time, most of which goes into
+# headers. FACET_UNITY=OFF, as in the presets for development, compiles them one by one.
+option(FACET_UNITY "Compile many files at a time" ON)
+function(facet_unite target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${FACET_UNITY} UNITY_BUILD_BATCH_SIZE 16)
 endfunction()

@@ -16,7 +16,7 @@ constexpr std::size_t most_bins = 24;
 /// split otherwise, so that no input makes a tree too deep for the kernels' stack.
 constexpr int most_levels = shared::LARGEST_STACK_SIZE;
 /// Nodes of more primitives are binned by all threads; subtrees of fewer are one task.
-constexpr std::size_t parallel_size = 1U << 16U;
+constexpr std::size_t parallel_primitives = 1U << 16U;
 
 /// Of a range of primitives.
 struct Bounds {
@@ -38,10 +38,10 @@ struct Bounds {
 /// integers.
 template <typename Result, typename Fold>
 void fold(std::span<const BvhPrimitive> primitives, Result& result, const Fold& fold_range) {
-  if (primitives.size() <= parallel_size) return fold_range(result, primitives);
+  if (primitives.size() <= parallel_primitives) return fold_range(result, primitives);
   std::mutex mutex;
   const Result empty = result;
-  parallel_for(primitives.size(), parallel_size / 4, [&](std::size_t begin, std::size_t end) {
+  parallel_for(primitives.size(), parallel_primitives / 4, [&](std::size_t begin, std::size_t end) {
     Result part = empty;
     fold_range(part, primitives.subspan(begin, end - begin));
     const std::scoped_lock lock(mutex);
@@ -164,7 +164,7 @@ class BinaryBuilder {
     const auto build_side = [&](std::size_t side, std::size_t /*end*/) {
       roots[side] = build(sides[side], parts.bounds[side]);
     };
-    if (task.count > parallel_size) {
+    if (task.count > parallel_primitives) {
       parallel_for(2, 1, build_side);
     } else {
       build_side(0, 1);

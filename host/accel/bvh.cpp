@@ -53,10 +53,10 @@ constexpr std::array<vec3, 4> no_triangle{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 
 
 /// Further leaves that dividing boxes may make, each of which takes about 100 bytes with its share
 /// of nodes.
-constexpr std::size_t most_copies = 1U << 22U;
+constexpr std::size_t further_leaves = 1U << 22U;
 
 /// Subtrees of fewer wide nodes are one task.
-constexpr std::uint32_t parallel_size = 1U << 13U;
+constexpr std::uint32_t parallel_wide_nodes = 1U << 13U;
 
 /// Of wide nodes.
 struct Subtree {
@@ -129,7 +129,7 @@ class Collapser {
     const auto collapse_child = [&](std::size_t c) {
       below[c] = collapse(children.nodes[c], first + c, blocks[c]);
     };
-    if (next_block - block > parallel_size) {
+    if (next_block - block > parallel_wide_nodes) {
       parallel_for(inner_count, 1, [&](std::size_t c, std::size_t /*end*/) { collapse_child(c); });
     } else {
       for (std::uint32_t c = 0; c < inner_count; ++c) collapse_child(c);
@@ -277,7 +277,7 @@ Bvh build_bvh(std::span<const TriangleCorners> triangles) {
                       static_cast<double>(pairs.size());
   if (room < 1) return bvh;
   boxes = divide_crowded(binary, pairs, triangles,
-                         std::min(most_copies, static_cast<std::size_t>(room)));
+                         std::min(further_leaves, static_cast<std::size_t>(room)));
   if (boxes.copies.empty()) return bvh;
   const BinaryBvh divided(std::move(boxes.primitives));
   Bvh second;

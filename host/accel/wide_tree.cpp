@@ -9,7 +9,7 @@ namespace facet {
 namespace {
 
 /// Subtrees of fewer inner nodes are one task.
-constexpr std::uint32_t parallel_size = 1U << 15U;
+constexpr std::uint32_t parallel_inner_nodes = 1U << 15U;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ WideTree::Costs WideTree::plan(BinaryBvh::Node node, BinaryBvh::Node end) {
   const auto plan_half = [&](std::size_t h, std::size_t /*end*/) {
     costs[h] = plan(halves[h], ends[h]);
   };
-  if (end - node > parallel_size) {
+  if (end - node > parallel_inner_nodes) {
     parallel_for(2, 1, plan_half);
   } else {
     plan_half(0, 1);

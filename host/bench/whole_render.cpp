@@ -11,9 +11,9 @@ namespace facet::bench {
 namespace {
 
 /// Renders with one set of kernels.
-class Series {
+class RenderSeries {
  public:
-  Series(gpu::Device& device, const PackedScene& packed) : device_(device), packed_(packed) {
+  RenderSeries(gpu::Device& device, const PackedScene& packed) : device_(device), packed_(packed) {
     row_.integrator = packed.settings.integrator.type.name;
     row_.samples_per_pixel = packed.settings.samples.end;
   }
@@ -66,9 +66,9 @@ std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& na
   const auto start = std::chrono::steady_clock::now();
   const PackedScene packed = pack_scene(scene, settings);
   const double packing_seconds = seconds_since(start);
-  Series own(device, packed);
+  RenderSeries own(device, packed);
   std::optional<PackedScene> widened;
-  std::optional<Series> everything;
+  std::optional<RenderSeries> everything;
   if (options.with_everything) {
     widened = packed;
     widened->features = packed.features.with_everything();

@@ -19,7 +19,7 @@ namespace facet::cli {
 
 namespace {
 
-const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+const std::chrono::steady_clock::time_point process_start = std::chrono::steady_clock::now();
 
 /// Commands of the contract that are still to come.
 const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
@@ -68,7 +68,7 @@ void open_standard_streams() {
 }  // namespace
 
 double seconds_since_start() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - process_start).count();
 }
 
 }  // namespace facet::cli
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
       return facet::cli::fail(
-          "cannot start another thread: a limit of processes or of memory is reached",
+          "cannot process_start another thread: a limit of processes or of memory is reached",
           facet::cli::ExitCode::device_failed);
     return facet::cli::fail(error.what(), facet::cli::ExitCode::device_failed);
   }

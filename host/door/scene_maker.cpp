@@ -12,7 +12,7 @@ namespace facet {
 
 namespace {
 
-constexpr const char* place = "(scene in memory)";
+constexpr const char* memory_place = "(scene in memory)";
 
 std::string numbers(const auto& values) { return fmt::format("{}", fmt::join(values, ", ")); }
 
@@ -103,7 +103,7 @@ void convert(const Mesh& mesh, const char* what, const std::vector<From>& from,
 Mesh make_mesh(const TriangleMesh& from, std::size_t number) {
   Mesh mesh;
   mesh.name = fmt::format("mesh {}", number);
-  mesh.where.file = place;
+  mesh.where.file = memory_place;
   convert(mesh, "positions", from.positions, from.positions.size(), mesh.positions);
   convert(mesh, "normals", from.normals, from.positions.size(), mesh.normals);
   convert(mesh, "texture coordinates", from.texcoords, from.positions.size(), mesh.texcoords);
@@ -170,7 +170,7 @@ SceneMaker& SceneMaker::mesh(const TriangleMesh& triangles, const Plugin& bsdf,
 ScenePtr SceneMaker::scene(const LoadOptions& options) const {
   std::ostringstream text;
   parts_->document.save(text);
-  const XmlDocument xml(place, text.str());
+  const XmlDocument xml(memory_place, text.str());
   Diagnostics diagnostics(options.strict);
   Scene scene = SceneReader(xml, diagnostics).read(xml.root(), parts_->meshes);
   scene.file.clear();

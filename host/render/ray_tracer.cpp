@@ -11,7 +11,7 @@ namespace facet {
 
 namespace {
 
-gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
+gpu::Buffer make_ray_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
   return {device, records * record_bytes, state_usage, "the rays"};
 }
 
@@ -29,9 +29,9 @@ RayTracer::RayTracer(gpu::Device& device, const PackedScene& packed, std::uint32
     : device_(device),
       geometry_(device, packed, force_storage_buffers),
       layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
-      rays_(make_state(device, most_rays, sizeof(shared::RayRecord))),
-      hits_(make_state(device, most_rays, sizeof(shared::HitRecord))),
-      counters_(make_state(device, shared::COUNTER_WORDS, sizeof(std::uint32_t))),
+      rays_(make_ray_state(device, most_rays, sizeof(shared::RayRecord))),
+      hits_(make_ray_state(device, most_rays, sizeof(shared::HitRecord))),
+      counters_(make_ray_state(device, shared::COUNTER_WORDS, sizeof(std::uint32_t))),
       unused_(device, sizeof(shared::FrameRecord),
               state_usage | vk::BufferUsageFlagBits::eUniformBuffer, "nothing"),
       set_(device, layout_, bindings()),

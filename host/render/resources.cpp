@@ -82,7 +82,7 @@ std::vector<Record> read_records(const gpu::Buffer& buffer, std::uint32_t count)
   return records;
 }
 
-gpu::Buffer make_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
+gpu::Buffer make_path_state(gpu::Device& device, std::uint64_t records, std::size_t record_bytes) {
   return {device, records * record_bytes, state_usage, "the paths in flight"};
 }
 
@@ -101,11 +101,11 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed)
       scene_(make_scene_buffers(device, packed, geometry_.fetch())),
       frame_(make_record_buffer(device, std::vector{packed.frame}, "the frame",
                                 Usage::eUniformBuffer)),
-      rays_(make_state(device, slot_count_, sizeof(shared::RayRecord))),
+      rays_(make_path_state(device, slot_count_, sizeof(shared::RayRecord))),
       // Hits stay in registers but between the rounds of a bounce.
-      hits_(make_state(device, rounds_ > 1 ? slot_count_ : 0, sizeof(shared::HitRecord))),
-      paths_(make_state(device, slot_count_, sizeof(shared::PathRecord))),
-      queues_(make_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
+      hits_(make_path_state(device, rounds_ > 1 ? slot_count_ : 0, sizeof(shared::HitRecord))),
+      paths_(make_path_state(device, slot_count_, sizeof(shared::PathRecord))),
+      queues_(make_path_state(device, std::uint64_t{slot_count_} * 2, sizeof(std::uint32_t))),
       counters_(device, shared::COUNTER_WORDS * sizeof(std::uint32_t),
                 Usage::eStorageBuffer | Usage::eIndirectBuffer, "counters"),
       kernels_(device, layout_, packed.features, packed.bvh.stack_size, geometry_.fetch()) {

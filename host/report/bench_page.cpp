@@ -31,9 +31,9 @@ std::string table(const std::vector<std::string>& heads, const std::string& rows
   return html + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
-class Page {
+class BenchPage {
  public:
-  explicit Page(const BenchReport& report) : report_(report) {
+  explicit BenchPage(const BenchReport& report) : report_(report) {
     for (const bench::TraversalResult& r : report_.traversal) {
       results_.push_back(&r);
       if (r.mesh.starts_with("generated-")) meshes_.push_back(&r);
@@ -221,7 +221,7 @@ class Page {
 }  // namespace
 
 void write_bench_page(const std::string& path, const BenchReport& report) {
-  write_text(path, Page(report).html());
+  write_text(path, BenchPage(report).html());
 }
 
 }  // namespace facet::report

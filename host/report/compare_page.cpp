@@ -18,7 +18,6 @@ namespace facet::report {
 namespace {
 
 constexpr std::size_t most_pixels = 1U << 23U;
-constexpr std::size_t worst_count = 12;
 
 /// Values in the order of the image's rows, a code each: 0 to 254 along the scale, 255 where there
 /// is none.
@@ -88,9 +87,10 @@ float half_scale(const Image& a, const Image& b) {
              : 1.F;
 }
 
-class Page {
+class ComparePage {
  public:
-  Page(const CompareOptions& options, const Comparison& comparison) : o_(options), c_(comparison) {
+  ComparePage(const CompareOptions& options, const Comparison& comparison)
+      : o_(options), c_(comparison) {
     relative_.reserve(c_.errors.terms.size());
     for (const double term : c_.errors.terms) relative_.push_back(std::sqrt(term));
   }
@@ -192,7 +192,7 @@ class Page {
 
   [[nodiscard]] std::string worst() const {
     std::string html;
-    for (const std::size_t i : worst_pixels(c_.errors, worst_count)) html += worst_pixel(i);
+    for (const std::size_t i : worst_pixels(c_.errors, 12)) html += worst_pixel(i);
     return html.empty() ? "<tr><td colspan=\"5\">No pixel differs.</td></tr>" : html;
   }
 
@@ -258,7 +258,7 @@ void write_compare_page(const std::string& path, const CompareOptions& options,
     throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop",
                                  path, most_pixels, comparison.errors.pixels));
   }
-  write_text(path, Page(options, comparison).html());
+  write_text(path, ComparePage(options, comparison).html());
 }
 
 }  // namespace facet::report

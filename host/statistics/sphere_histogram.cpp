@@ -9,14 +9,14 @@ namespace facet::statistics {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
-/// Cells are quartered at least so often, and at most.
+/// GridCells are quartered at least so often, and at most.
 constexpr int least_depth = 2;
 constexpr int most_depth = 44;
 /// A cell is done when quartering it changes its integral by less: samples, and share of the
 /// integral.
 constexpr double tolerated_samples = 0.05;
 constexpr double tolerated_share = 1e-5;
-/// Cells with more of the points than this share (and more than a few) are quartered.
+/// GridCells with more of the points than this share (and more than a few) are quartered.
 constexpr double guiding_share = 5e-4;
 constexpr double guiding_points = 50;
 /// Directions in one call of the density, and in all.
@@ -24,7 +24,7 @@ constexpr std::size_t directions_per_call = 9U << 16U;
 constexpr std::size_t most_directions = std::size_t{1} << 27U;
 
 /// A rectangle in (cos theta, phi), and the points in it.
-struct Cell {
+struct GridCell {
   std::size_t bin = 0;
   std::array<double, 2> cosine{};
   std::array<double, 2> phi{};
@@ -33,7 +33,7 @@ struct Cell {
   double integral = 0;
 };
 
-using Cells = std::vector<Cell>;
+using GridCells = std::vector<GridCell>;
 
 double between(const std::array<double, 2>& interval, double t) {
   return interval[0] + t * (interval[1] - interval[0]);
@@ -43,7 +43,7 @@ double between(const std::array<double, 2>& interval, double t) {
 constexpr std::array<double, 3> abscissae{0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-void append_directions(const Cell& cell, std::vector<vec3>& directions) {
+void append_directions(const GridCell& cell, std::vector<vec3>& directions) {
   for (const double s : abscissae) {
     const double z = between(cell.cosine, s);
     const double sine = std::sqrt((1 - z) * (1 + z));
@@ -54,14 +54,14 @@ void append_directions(const Cell& cell, std::vector<vec3>& directions) {
   }
 }
 
-double weighted_sum(const Cell& cell, std::span<const double, 9> densities) {
+double weighted_sum(const GridCell& cell, std::span<const double, 9> densities) {
   double sum = 0;
   for (std::size_t i = 0; i < 9; ++i) sum += weights[i / 3] * weights[i % 3] * densities[i];
   return sum * (cell.cosine[1] - cell.cosine[0]) * (cell.phi[1] - cell.phi[0]);
 }
 
 /// Sets the cells' integrals.
-void integrate(Cells& cells, const Density& density) {
+void integrate(GridCells& cells, const Density& density) {
   constexpr std::size_t cells_per_call = directions_per_call / 9;
   for (std::size_t begin = 0; begin < cells.size(); begin += cells_per_call) {
     const std::size_t end = std::min(cells.size(), begin + cells_per_call);
@@ -76,7 +76,7 @@ void integrate(Cells& cells, const Density& density) {
 }
 
 /// Appends the cell's quarters, which share out its points.
-void quarter(const Cell& cell, std::vector<SpherePoint>& points, Cells& quarters) {
+void quarter(const GridCell& cell, std::vector<SpherePoint>& points, GridCells& quarters) {
   const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
   const auto index = [&](auto i) { return static_cast<std::size_t>(i - points.begin()); };
   const double z = between(cell.cosine, 0.5);
@@ -94,13 +94,13 @@ void quarter(const Cell& cell, std::vector<SpherePoint>& points, Cells& quarters
 
 /// The bins as cells; sorts the points by them. A bin that straddles the horizon, where densities
 /// end, becomes two cells.
-Cells root_cells(const SphereHistogram& h, std::vector<SpherePoint>& points) {
+GridCells root_cells(const SphereHistogram& h, std::vector<SpherePoint>& points) {
   const auto key = [&h](const SpherePoint& p) {
     return std::pair(h.bin(p.cosine, p.phi), p.cosine >= 0);
   };
   std::sort(points.begin(), points.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  Cells cells;
+  GridCells cells;
   std::size_t next = 0;
   const auto add = [&](std::size_t bin, double bottom, double top, const std::array<double, 2>& phi,
                        bool below) {
@@ -159,19 +159,19 @@ bool integrate_expected(SphereHistogram& histogram, const Density& density,
   const double many_points =
       std::max(guiding_points, guiding_share * static_cast<double>(points.size()));
   std::fill(histogram.expected.begin(), histogram.expected.end(), 0.0);
-  Cells cells = root_cells(histogram, points);
+  GridCells cells = root_cells(histogram, points);
   integrate(cells, density);
   std::size_t directions = 0;
   for (int depth = 0; !cells.empty(); ++depth) {
-    Cells quarters;
+    GridCells quarters;
     quarters.reserve(4 * cells.size());
-    for (const Cell& cell : cells) quarter(cell, points, quarters);
+    for (const GridCell& cell : cells) quarter(cell, points, quarters);
     directions += 9 * quarters.size();
     if (directions > most_directions) return false;
     integrate(quarters, density);
-    Cells next;
+    GridCells next;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::span<const Cell, 4> four(&quarters[4 * i], 4);
+      const std::span<const GridCell, 4> four(&quarters[4 * i], 4);
       const double sum = four[0].integral + four[1].integral + four[2].integral + four[3].integral;
       const double change = std::abs(sum - cells[i].integral);
       const bool guided = static_cast<double>(cells[i].end - cells[i].first) > many_points;

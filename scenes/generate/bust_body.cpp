@@ -7,8 +7,6 @@
 namespace facet::generate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// A fold's profile over its phase in radians: broad rounded ridges, narrow valleys; in [0, 1].
 double fold_profile(double phase) { return std::sqrt(std::pow(std::cos(0.5 * phase), 2) + 0.02); }
 
@@ -27,7 +25,7 @@ double chiton(Vec3 p, double body) {
   // Folds hang in arcs from shoulder to shoulder and crowd towards the neck.
   const double wobble = 0.10 * value_noise({2.3 * p.x, 1.7 * p.y, 2.3 * p.z});
   const double depth = -1.30 - p.y + 0.62 * p.x * p.x + 0.12 * p.x + wobble;
-  const double phase = 2.0 * pi * depth / 0.20;
+  const double phase = 2.0 * std::numbers::pi * depth / 0.20;
   // No two folds are of one height, and none keeps its height all the way.
   const double uneven = 0.65 + 0.5 * value_noise({1.9 * p.x + 7.0, 6.0 * depth, 1.5 * p.z});
   const double front = smooth_step(-0.35, 0.15, p.z);
@@ -41,12 +39,12 @@ double mantle(Vec3 p, double body) {
       p.x - 0.52 - 0.20 * (p.y + 1.6) + 0.04 * value_noise({2.5 * p.x, 2.5 * p.y, 2.5 * p.z});
   const double sway = 0.12 * value_noise({1.5 * p.x, 1.9 * p.y, 1.8 * p.z});
   const double phase =
-      2.0 * pi * (p.x + 0.25 * p.z - 0.30 * (p.y + 1.6) * (p.y + 1.6) + sway) / 0.21;
+      2.0 * std::numbers::pi * (p.x + 0.25 * p.z - 0.30 * (p.y + 1.6) * (p.y + 1.6) + sway) / 0.21;
   const double uneven = 0.6 + 0.5 * value_noise({5.0 * p.x, 2.0 * p.y, 2.0 * p.z + 5.0});
   const double sheet = std::max(body - 0.07 - 0.07 * uneven * fold_profile(phase), -edge);
   double roll = tapered_capsule(p, {0.55, -1.38, -0.42}, {0.56, -1.52, 0.12}, 0.14, 0.15);
   roll = join(roll, tapered_capsule(p, {0.56, -1.52, 0.12}, {0.34, -2.55, 0.32}, 0.15, 0.12), 0.08);
-  const double twist = 2.0 * pi * (p.x - 0.55 + 0.8 * p.z + 0.28 * p.y) / 0.13;
+  const double twist = 2.0 * std::numbers::pi * (p.x - 0.55 + 0.8 * p.z + 0.28 * p.y) / 0.13;
   return join(sheet, roll - 0.03 * fold_profile(twist), 0.05);
 }
 
@@ -66,7 +64,7 @@ double kalathos_distance(Vec3 p) {
   const double t = std::clamp((q.y - bottom) / (top - bottom), 0.0, 1.0);
   const double radius = 0.42 + 0.10 * t + 0.05 * t * t * t;
   // Olive leaves in relief around it, in two rows of lozenges that lean against each other.
-  const double around = std::atan2(q.x, q.z) * 12.0 / (2.0 * pi);
+  const double around = std::atan2(q.x, q.z) * 12.0 / (2.0 * std::numbers::pi);
   const double up = t * 3.0;
   const double lean = std::fmod(std::floor(up), 2.0) < 0.5 ? 0.35 : -0.35;
   const double along = up - std::floor(up) - 0.5;

@@ -11,16 +11,15 @@
 namespace facet::generate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int width = 1024;
 constexpr int height = 512;
 
 constexpr double turbidity = 3.0;
-constexpr double sun_elevation = 38.0 * pi / 180.0;
+constexpr double sun_elevation = 38.0 * std::numbers::pi / 180.0;
 /// From +x towards +z: the sun stands to the right of and behind a camera that looks along -z.
-constexpr double sun_azimuth = 50.0 * pi / 180.0;
+constexpr double sun_azimuth = 50.0 * std::numbers::pi / 180.0;
 /// Twice the real sun's, so that the disc is some twenty texels.
-constexpr double sun_radius = 1.0 * pi / 180.0;
+constexpr double sun_radius = 1.0 * std::numbers::pi / 180.0;
 
 constexpr double sky_irradiance =
     1.7;  ///< Of the horizontal ground, by the sky alone, in luminance.
@@ -42,7 +41,7 @@ struct Perez {
   }
 
   double at(double cos_theta, double gamma) const {
-    const double sun_zenith = 0.5 * pi - sun_elevation;
+    const double sun_zenith = 0.5 * std::numbers::pi - sun_elevation;
     return zenith * shape(cos_theta, gamma) / shape(1.0, sun_zenith);
   }
 };
@@ -50,7 +49,7 @@ struct Perez {
 /// The zenith's chromaticity: a cubic in the sun's zenith angle, its coefficients quadratic in the
 /// turbidity.
 double zenith_chromaticity(const double (&m)[3][4]) {
-  const double s = 0.5 * pi - sun_elevation;
+  const double s = 0.5 * std::numbers::pi - sun_elevation;
   double result = 0;
   const double powers[3] = {turbidity * turbidity, turbidity, 1.0};
   for (int i = 0; i < 3; ++i)
@@ -107,8 +106,8 @@ Vec3 sky_radiance(const DaylightModel& model, Vec3 direction) {
 
 /// The direction at a position inside the image, in texels from its corner.
 Vec3 direction_at(double column, double row) {
-  const double phi = 2.0 * pi * (1.0 - column / width);
-  const double theta = pi * (1.0 - row / height);
+  const double phi = 2.0 * std::numbers::pi * (1.0 - column / width);
+  const double theta = std::numbers::pi * (1.0 - row / height);
   return {std::cos(phi) * std::sin(theta), std::cos(theta), std::sin(phi) * std::sin(theta)};
 }
 
@@ -141,8 +140,8 @@ Vec3 paint_sky(SkyImage& image) {
     for (int column = 0; column < width; ++column) {
       const Vec3 direction = direction_at(column + 0.5, row + 0.5);
       const Vec3 radiance = sky_radiance(model, direction);
-      const double solid_angle =
-          (2 * pi / width) * (pi / height) * std::sqrt(1 - direction.y * direction.y);
+      const double solid_angle = (2 * std::numbers::pi / width) * (std::numbers::pi / height) *
+                                 std::sqrt(1 - direction.y * direction.y);
       irradiance = irradiance + radiance * (solid_angle * direction.y);
       image.at(column, row) = radiance;
     }
@@ -156,17 +155,19 @@ void paint_ground(SkyImage& image, Vec3 sky) {
   const double sun = sun_irradiance * std::sin(sun_elevation);
   const Vec3 total{sky.x + sun * sun_colour.x, sky.y + sun * sun_colour.y,
                    sky.z + sun * sun_colour.z};
-  const Vec3 reflected{total.x * ground_albedo.x / pi, total.y * ground_albedo.y / pi,
-                       total.z * ground_albedo.z / pi};
+  const Vec3 reflected{total.x * ground_albedo.x / std::numbers::pi,
+                       total.y * ground_albedo.y / std::numbers::pi,
+                       total.z * ground_albedo.z / std::numbers::pi};
   for (int row = 0; row < height / 2; ++row) {
     for (int column = 0; column < width; ++column) image.at(column, row) = reflected;
   }
 }
 
 void paint_sun(SkyImage& image) {
-  const double radiance = sun_irradiance / (pi * std::sin(sun_radius) * std::sin(sun_radius));
-  const double texels_per_radian = height / pi;
-  const int centre = static_cast<int>((0.5 + sun_elevation / pi) * height);
+  const double radiance =
+      sun_irradiance / (std::numbers::pi * std::sin(sun_radius) * std::sin(sun_radius));
+  const double texels_per_radian = height / std::numbers::pi;
+  const int centre = static_cast<int>((0.5 + sun_elevation / std::numbers::pi) * height);
   const int margin = static_cast<int>(sun_radius * texels_per_radian) + 2;
   for (int row = centre - margin; row <= centre + margin; ++row) {
     for (int column = 0; column < width; ++column) {
