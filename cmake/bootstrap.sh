@@ -7,7 +7,7 @@
 set -eu
 
 packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools spirv-headers libglm-dev
-  libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
+  libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
 test_packages="chromium" # looks at the pages that facet writes
 
 say() { echo "bootstrap: $*" >&2; }

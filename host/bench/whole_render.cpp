@@ -58,7 +58,7 @@ class RenderSeries {
 }  // namespace
 
 std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name,
-                                      const Scene& scene, const RenderOptions& options) {
+                                      const Scene& scene, const WholeRenderOptions& options) {
   RenderRequest request;
   request.samples = static_cast<int>(options.samples_per_pixel);
   RenderSettings settings = resolve(scene, request);

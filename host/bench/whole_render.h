@@ -24,7 +24,7 @@ struct RenderRow {
   StageSeconds stage_shares{};            ///< of the device's time; all 0 without timestamps
 };
 
-struct RenderOptions {
+struct WholeRenderOptions {
   std::uint32_t samples_per_pixel = 64;
   int repeats = 3;
   bool with_everything = false;  ///< also with kernels from which nothing is left out
@@ -35,6 +35,6 @@ struct RenderOptions {
 /// fit the device.
 [[nodiscard]] std::vector<RenderRow> measure_render(gpu::Device& device, const std::string& name,
                                                     const Scene& scene,
-                                                    const RenderOptions& options);
+                                                    const WholeRenderOptions& options);
 
 }  // namespace facet::bench

@@ -24,7 +24,7 @@ namespace {
 struct BenchOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> meshes;
-  std::uint32_t samples_per_pixel = bench::RenderOptions{}.samples_per_pixel;
+  std::uint32_t samples_per_pixel = bench::WholeRenderOptions{}.samples_per_pixel;
   std::string device;
   std::string json;
   std::string html;
@@ -90,7 +90,7 @@ class BenchJob {
       render(name, scenes[i]);
     }
     if (options_.growth && !was_interrupted()) grow();
-    if (!options_.json.empty()) write_text(options_.json, report::json_report(report_) + '\n');
+    if (!options_.json.empty()) write_text(options_.json, report::bench_json(report_) + '\n');
     if (!options_.html.empty()) report::write_bench_page(options_.html, report_);
     return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
   }

@@ -16,7 +16,7 @@
 #include "door/warnings.h"
 #include "image/record.h"
 #include "parity/parity.h"
-#include "render/backend.h"
+#include "render/kernel_backend.h"
 
 namespace facet::cli {
 
@@ -118,6 +118,7 @@ class ParityJob {
                           {"reference", {d.reference.x, d.reference.y, d.reference.z}},
                           {"explained", !d.turned.empty()},
                           {"decided_by_least", d.nearest},
+                          {"command", command_for(d)},
                           {"decisions", decisions}});
     }
     nlohmann::ordered_json suspects = nlohmann::ordered_json::array();

@@ -12,7 +12,7 @@
 #include "cli/render_options.h"
 #include "core/print.h"
 #include "core/text_file.h"
-#include "door/backend.h"
+#include "door/open_backend.h"
 #include "door/warnings.h"
 #include "image/files.h"
 #include "report/test_picture.h"
@@ -124,9 +124,9 @@ class TestJob {
 
   void write_reports(const std::string& backend) const {
     if (options_.json != "-") put("{} of {} passed\n", passed(), cases_.size());
-    if (!options_.junit.empty()) write_text(options_.junit, report::junit_report(cases_));
+    if (!options_.junit.empty()) write_text(options_.junit, report::test_junit(cases_));
     if (!options_.json.empty())
-      write_text(options_.json, report::json_report(cases_, backend, options_.seed) + '\n');
+      write_text(options_.json, report::test_json(cases_, backend, options_.seed) + '\n');
   }
 
   const TestOptions& options_;

@@ -131,7 +131,7 @@ std::string text_of(const bench::GrowthSeries& series) {
   return text;
 }
 
-std::string json_report(const BenchReport& report) {
+std::string bench_json(const BenchReport& report) {
   ordered_json j{{"device", report.device},
                  {"driver", report.driver},
                  {"threads", thread_count()},

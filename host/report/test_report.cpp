@@ -36,8 +36,8 @@ std::string case_line(const ReportedCase& r) {
                      v.passed ? "passed" : "FAILED", v.note.empty() ? "" : ": ", v.note);
 }
 
-std::string json_report(const std::vector<ReportedCase>& cases, const std::string& backend,
-                        std::uint32_t seed) {
+std::string test_json(const std::vector<ReportedCase>& cases, const std::string& backend,
+                      std::uint32_t seed) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ReportedCase& r : cases) {
     const nori::Verdict& v = r.result.verdict;
@@ -70,7 +70,7 @@ std::string json_report(const std::vector<ReportedCase>& cases, const std::strin
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::string junit_report(const std::vector<ReportedCase>& cases) {
+std::string test_junit(const std::vector<ReportedCase>& cases) {
   pugi::xml_document document;
   document.append_child(pugi::node_declaration).append_attribute("version") = "1.0";
   pugi::xml_node suites = document.append_child("testsuites");

@@ -23,10 +23,10 @@ struct ReportedCase {
 [[nodiscard]] std::string figures(const nori::TestCase& result);
 
 /// {"backend", "seed", "passed", "cases": [...]}
-[[nodiscard]] std::string json_report(const std::vector<ReportedCase>& cases,
-                                      const std::string& backend, std::uint32_t seed);
+[[nodiscard]] std::string test_json(const std::vector<ReportedCase>& cases,
+                                    const std::string& backend, std::uint32_t seed);
 
 /// A <testsuites> with one <testsuite> a file.
-[[nodiscard]] std::string junit_report(const std::vector<ReportedCase>& cases);
+[[nodiscard]] std::string test_junit(const std::vector<ReportedCase>& cases);
 
 }  // namespace facet::report

@@ -6,13 +6,13 @@ namespace facet {
 
 /* perspective: a pinhole camera.
 
-   | parameter     | default     | meaning |
+   | parameter     | default     | meaning                                                              |
    |---------------|-------------|----------------------------------------------------------------------|
-   | width, height | 1280, 720   | pixels | | fov           | 30          | angle of view along the
-   image's width, degrees, above 0 and below 180 | | toWorld       | identity    | from the camera's
-   space to the scene's                               | | nearClip      | 1e-4        | least depth
-   that is seen                                             | | farClip       | 1e4         |
-   greatest depth that is seen                                          |
+   | width, height | 1280, 720   | pixels                                                               |
+   | fov           | 30          | angle of view along the image's width, degrees, above 0 and below 180 |
+   | toWorld       | identity    | from the camera's space to the scene's                               |
+   | nearClip      | 1e-4        | least depth that is seen                                             |
+   | farClip       | 1e4         | greatest depth that is seen                                          |
 
    Holds one rfilter, by default `gaussian`. It looks along +z of its space, +x to the left of the
    image, +y up, as in Nori: a bare lookat (whose x is the viewer's left) shows the world as it is,

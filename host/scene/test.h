@@ -8,12 +8,12 @@ namespace facet {
 
 /* ttest: Student's t-test of means; `facet test` runs it.
 
-   | parameter         | default | meaning |
+   | parameter         | default | meaning                                                          |
    |-------------------|---------|------------------------------------------------------------------|
-   | references        |         | expected means, one per angle for each bsdf in turn, or one per
-   scene | | angles            |         | of the viewer to the normal, degrees; none for scenes |
-   | sampleCount       | 100000  | samples of each mean | | significanceLevel | 0.01    |
-   probability that correct code fails any case                     |
+   | references        |         | expected means, one per angle for each bsdf in turn, or one per scene |
+   | angles            |         | of the viewer to the normal, degrees; none for scenes            |
+   | sampleCount       | 100000  | samples of each mean                                             |
+   | significanceLevel | 0.01    | probability that correct code fails any case                     |
 
    Holds bsdfs, whose mean sample weight is tested, or scenes, whose mean radiance is. */
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "render/bsdf_evaluator.h"
+#include "render/kernel_bsdf_evaluator.h"
 #include "support/bsdf_cases.h"
 #include "support/render.h"
 

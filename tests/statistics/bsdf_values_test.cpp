@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/bsdf_evaluator.h"
+#include "reference/reference_bsdf_evaluator.h"
 #include "support/bsdf_kernels.h"
 
 namespace facet::test {

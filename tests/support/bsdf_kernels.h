@@ -1,6 +1,6 @@
 #pragma once
 // The kernels' BSDFs in tests of all BSDFs.
-#include "render/bsdf_evaluator.h"
+#include "render/kernel_bsdf_evaluator.h"
 #include "support/bsdf_cases.h"
 #include "support/render.h"
 

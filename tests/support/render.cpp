@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reference/backend.h"
+#include "reference/reference_backend.h"
 #include "scene/reader.h"
 #include "statistics/hypothesis.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "render/backend.h"
+#include "render/kernel_backend.h"
 #include "render/renderer.h"
 
 namespace facet::test {

@@ -20,8 +20,7 @@ enum class Distribution { beckmann, ggx };
    | parameter    | default  | meaning                                                         |
    |--------------|----------|-----------------------------------------------------------------|
    | distribution | beckmann | `beckmann` or `ggx`                                             |
-   | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, as in the lab) or
-   `exact` |
+   | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, as in the lab) or `exact` |
 */
 struct MicrofacetOptions {
   Distribution distribution = Distribution::beckmann;

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gpu/device.h"
-#include "render/bsdf_evaluator.h"
+#include "render/kernel_bsdf_evaluator.h"
 #include "scene/testable_backend.h"
 
 namespace facet {

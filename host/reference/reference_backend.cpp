@@ -1,11 +1,11 @@
-#include "reference/backend.h"
+#include "reference/reference_backend.h"
 
 #include <atomic>
 
 #include "core/clock.h"
 #include "core/parallel.h"
-#include "reference/bsdf_evaluator.h"
 #include "reference/crop.h"
+#include "reference/reference_bsdf_evaluator.h"
 #include "reference/tracer.h"
 
 namespace facet::reference {

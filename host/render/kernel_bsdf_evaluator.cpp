@@ -1,4 +1,4 @@
-#include "render/bsdf_evaluator.h"
+#include "render/kernel_bsdf_evaluator.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "door/backend.h"
+#include "door/open_backend.h"
 
-#include "reference/backend.h"
-#include "render/backend.h"
+#include "reference/reference_backend.h"
+#include "render/kernel_backend.h"
 
 namespace facet {
 

@@ -1,4 +1,4 @@
-#include "render/backend.h"
+#include "render/kernel_backend.h"
 
 #include "core/error.h"
 #include "render/renderer.h"

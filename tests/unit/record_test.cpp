@@ -1,0 +1,131 @@
+// The table of provenance.
+#include "image/record.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace facet::test {
+namespace {
+
+/// A record of which nothing has its default.
+RenderRecord full_record() {
+  RenderRecord r;
+  r.version = "1.2.3";
+  r.scene = "/a folder/the scene.xml";
+  r.integrator = "path_mis";
+  r.sampler = "sobol";
+  r.sampling = LobeSampling::ndf;
+  r.samples = SampleRanges(SampleRange{3, 9});
+  r.seed = 4000000000U;
+  r.max_depth = 7;
+  r.heuristic = Heuristic::power;
+  r.emitter_selection = EmitterSelection::uniform;
+  r.masking = Masking::exact;
+  r.filter = "tent";
+  r.fingerprint = 0x0123456789abcdefU;
+  r.backend = "reference";
+  r.precision = Precision::double_;
+  r.device = "a device";
+  r.driver = "a driver";
+  r.seconds = 1.5;
+  r.complete = false;
+  return r;
+}
+
+TEST(Record, survives_a_header) {
+  const Metadata header = header_of(full_record());
+  const ParsedRecord parsed = parse_record(header);
+  EXPECT_TRUE(parsed.missing.empty());
+  EXPECT_TRUE(parsed.damaged.empty());
+  EXPECT_EQ(header_of(parsed.record), header);
+  EXPECT_EQ(header.size(), record_fields().size());
+  EXPECT_EQ(*find_metadata(header, "facet.scene"), "the scene.xml") << "no path leaves the machine";
+  // A field that the header does not carry would keep its default in the record that was read.
+  const Metadata plain = header_of(RenderRecord());
+  for (const auto& [key, text] : header) {
+    const std::string* other = find_metadata(plain, key);
+    EXPECT_TRUE(other == nullptr || *other != text) << key;
+  }
+}
+
+TEST(Record, has_each_name_once) {
+  std::set<std::string> names;
+  for (const RecordField& field : record_fields()) {
+    EXPECT_TRUE(names.insert(field.key).second) << field.key;
+    for (const char* other : {field.json, field.option}) {
+      if (other == nullptr) continue;
+      EXPECT_TRUE(names.insert(other).second) << other;
+    }
+  }
+}
+
+TEST(Record, tells_what_is_damaged) {
+  for (const auto& [key, text] :
+       std::vector<std::pair<std::string, std::string>>{{"facet.samples", "9:3"},
+                                                        {"facet.spp", "5"},
+                                                        {"facet.seed", "-1"},
+                                                        {"facet.seed", "4294967296"},
+                                                        {"facet.maxDepth", "-2"},
+                                                        {"facet.heuristic", "cutoff"},
+                                                        {"facet.emitterSelection", "all"},
+                                                        {"facet.masking", "none"},
+                                                        {"facet.sampling", ""},
+                                                        {"facet.precision", "half"},
+                                                        {"facet.fingerprint", "123"},
+                                                        {"facet.fingerprint", "0123456789abcdeg"},
+                                                        {"facet.seconds", "nan"}}) {
+    Metadata header = header_of(full_record());
+    for (auto& entry : header) {
+      if (entry.first == key) entry.second = text;
+    }
+    const ParsedRecord parsed = parse_record(header);
+    ASSERT_FALSE(parsed.damaged.empty()) << key << ' ' << text;
+    EXPECT_EQ(parsed.damaged.back().text, key == "facet.samples" ? "6" : text);
+  }
+}
+
+TEST(Record, makes_the_command_that_renders_again) {
+  EXPECT_EQ(rerun_command(full_record(), {40, 30}, 5, 6),
+            "facet render --pixel=5,6 --resolution=40x30 --backend=reference --precision=double "
+            "--integrator=path_mis --max-depth=7 --heuristic=power --emitter-selection=uniform "
+            "--sampler=sobol --sampling=ndf --masking=exact --sample-range=3:9 --seed=4000000000 "
+            "-- '/a folder/the scene.xml'");
+  RenderRecord kernels = full_record();
+  kernels.backend = "vulkan";
+  kernels.masking.reset();
+  const std::string command = rerun_command(kernels, {40, 30}, 5, 6);
+  EXPECT_EQ(command.find("--precision"), std::string::npos);
+  EXPECT_EQ(command.find("--masking"), std::string::npos);
+}
+
+TEST(Record, has_no_command_for_what_no_single_one_renders) {
+  RenderRecord gaps = full_record();
+  gaps.samples.add(SampleRange{20, 30});
+  EXPECT_EQ(rerun_command(gaps, {40, 30}, 5, 6), "");
+  RenderRecord memory = full_record();
+  memory.scene.clear();
+  EXPECT_EQ(rerun_command(memory, {40, 30}, 5, 6), "");
+  ParsedRecord damaged = parse_record(header_of(full_record()));
+  damaged.damaged.push_back({record_fields().data(), "?"});
+  EXPECT_EQ(rerun_command(damaged, {40, 30}, 5, 6), "");
+}
+
+TEST(Record, shared_samples_are_seen) {
+  RenderRecord other = full_record();
+  EXPECT_TRUE(share_samples(full_record(), other));
+  other.samples = SampleRanges(SampleRange{9, 12});
+  EXPECT_FALSE(share_samples(full_record(), other));
+  other = full_record();
+  other.seed = 1;
+  EXPECT_FALSE(share_samples(full_record(), other));
+}
+
+TEST(ShellWord, is_quoted_where_it_must_be) {
+  EXPECT_EQ(shell_word("a/b-c_1.xml"), "a/b-c_1.xml");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+}
+
+}  // namespace
+}  // namespace facet::test
