@@ -72,8 +72,39 @@ struct Decision {
   double margin = 0;
 };
 
+/// Comparisons that are decisions: each tells the probe its outcome and its margin, and returns
+/// what the probe says. item: which of several decisions of that kind at one place.
+template <typename Probe>
+class Decisions {
+ public:
+  /// Whether value > 0.
+  template <typename Real>
+  bool positive(DecisionKind kind, Real value, std::uint64_t item = 0) {
+    return probe().decide(kind, item, value > 0, static_cast<double>(value));
+  }
+  /// Whether value < 0.
+  template <typename Real>
+  bool negative(DecisionKind kind, Real value, std::uint64_t item = 0) {
+    return probe().decide(kind, item, value < 0, static_cast<double>(value));
+  }
+  /// Whether value < bound, for numbers of the size of 1.
+  template <typename Real>
+  bool below(DecisionKind kind, Real value, Real bound, std::uint64_t item = 0) {
+    return probe().decide(kind, item, value < bound, static_cast<double>(bound - value));
+  }
+  /// Whether value is not below a bound above 0, relative to which the margin counts.
+  template <typename Real>
+  bool reaches(DecisionKind kind, Real value, double bound, std::uint64_t item = 0) {
+    const bool outcome = !(value < static_cast<Real>(bound));
+    return probe().decide(kind, item, outcome, static_cast<double>(value) / bound - 1);
+  }
+
+ private:
+  Probe& probe() { return static_cast<Probe&>(*this); }
+};
+
 /// Watches nothing and costs nothing.
-struct Unwatched {
+struct Unwatched : Decisions<Unwatched> {
   static constexpr bool watches = false;
 
   void at_ray(std::uint32_t /*ray*/, std::size_t /*emitter*/ = 0) {}
@@ -89,7 +120,9 @@ struct Unwatched {
 };
 
 /// Tells whether two runs took the same branches, by a hash of all outcomes, and what they used.
-struct BranchHash : Unwatched {
+struct BranchHash : Decisions<BranchHash> {
+  static constexpr bool watches = false;
+
   std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
   std::vector<Feature> features;
 
@@ -97,6 +130,11 @@ struct BranchHash : Unwatched {
     const Feature feature{part, static_cast<std::uint32_t>(index)};
     if (std::find(features.begin(), features.end(), feature) == features.end())
       features.push_back(feature);
+  }
+  void at_ray(std::uint32_t /*ray*/, std::size_t /*emitter*/ = 0) {}
+  template <typename Value>
+  Value nudged(const Value& v) {
+    return v;
   }
   void mix(std::uint64_t word) {
     hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
@@ -115,7 +153,7 @@ using ForcedOutcomes = std::map<DecisionKey, bool>;
 /// Logs every decision with its margin, may force outcomes, and may perturb: each number that is
 /// nudged then moves by one ulp, each component of a vector by a whole or half an ulp of its
 /// largest: steps all alike would cancel too often where one quantity is nudged twice on its way.
-class Watch {
+class Watch : public Decisions<Watch> {
  public:
   static constexpr bool watches = true;
 

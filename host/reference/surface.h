@@ -20,8 +20,7 @@ struct Surface {
   [[nodiscard]] Vec3<Real> origin_towards(const Vec3<Real>& d, std::uint64_t which,
                                           Probe& probe) const {
     const Real cosine = glm::dot(d, ng);
-    const bool below =
-        probe.decide(DecisionKind::offset, which, cosine < 0, static_cast<double>(cosine));
+    const bool below = probe.negative(DecisionKind::offset, cosine, which);
     const Real distance = magnitude / 1048576;  // 16 * 2^-24
     return below ? position - ng * distance : position + ng * distance;
   }
@@ -29,7 +28,7 @@ struct Surface {
   /// The shading frame.
   template <typename Probe>
   [[nodiscard]] Frame<Real> frame(Probe& probe) const {
-    return {ns, probe.decide(DecisionKind::frame, 0, ns.z < 0, static_cast<double>(ns.z))};
+    return {ns, probe.negative(DecisionKind::frame, ns.z)};
   }
 };
 

@@ -122,8 +122,7 @@ class Tracer {
     Surface<Real> s = surface_of(hit);
     const Real cosine = glm::dot(s.ns, ray.direction);
     // Both sides see the sky.
-    if (!probe_.decide(DecisionKind::horizon, 0, cosine < 0, static_cast<double>(cosine)))
-      s.ns = -s.ns;
+    if (!probe_.negative(DecisionKind::horizon, cosine)) s.ns = -s.ns;
     const Block block = bounce_block(id_, 1, shared::BOUNCE_BSDF);
     const Vec3<Real> local =
         cosine_direction(block.number<Real>(shared::BSDF_U), block.number<Real>(shared::BSDF_V));
@@ -140,8 +139,7 @@ class Tracer {
     const Vec3<Real> way = position - s.position;
     const Vec3<Real> w = probe_.nudged(unit(way));
     const Real cosine = glm::dot(s.ns, w);
-    if (!probe_.decide(DecisionKind::horizon, 0, cosine > 0, static_cast<double>(cosine)))
-      return Vec3<Real>(0);
+    if (!probe_.positive(DecisionKind::horizon, cosine)) return Vec3<Real>(0);
     probe_.at_ray(1);
     const Vec3<Real> origin = s.origin_towards(w, 0, probe_);
     if (occluded({origin, probe_.nudged(position - origin), 0, 1})) return Vec3<Real>(0);
@@ -210,9 +208,10 @@ class Tracer {
     }
     // A whole number of words, of which there are 2^32.
     const double words = std::max(1.0, std::floor(std::ldexp(static_cast<double>(q), 32)));
-    path.throughput /= static_cast<Real>(std::ldexp(words, -32));
-    const auto margin = std::ldexp(words - static_cast<double>(word), -32);
-    return probe_.decide(DecisionKind::roulette, 0, static_cast<double>(word) < words, margin);
+    const double probability = std::ldexp(words, -32);
+    path.throughput /= static_cast<Real>(probability);
+    return probe_.below(DecisionKind::roulette, std::ldexp(static_cast<double>(word), -32),
+                        probability);
   }
 
   /// What a ray finds: emission, weighted by how else it would have been found.
@@ -270,7 +269,7 @@ class Tracer {
     const Frame<Real> frame = s.frame(probe_);
     const Vec3<Real> wo = probe_.nudged(frame.to_local(-d));
     Interaction at{s, frame, wo, world_.bsdf_of(s, probe_)};
-    if (probe_.decide(DecisionKind::horizon, 1, wo.z > 0, static_cast<double>(wo.z))) return at;
+    if (probe_.positive(DecisionKind::horizon, wo.z, 1)) return at;
     if (!at.bsdf.transmits() || wo.z == 0) return std::nullopt;
     at.bsdf.turn_over();
     return at;

@@ -20,8 +20,7 @@ class Beckmann {
     const Real tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
     const Real exponent = probe.nudged(tan2 / (alpha_ * alpha_));
     // docs/sampling.md: D is 0 from an exponent of 87 on.
-    const auto margin = static_cast<double>(exponent) / 87 - 1;
-    if (probe.decide(DecisionKind::tail, 0, !(exponent < 87), margin)) return 0;
+    if (probe.reaches(DecisionKind::tail, exponent, 87)) return 0;
     const Real slope_density = std::exp(-exponent) / (pi<Real> * alpha_ * alpha_);
     return slope_density * (1 + tan2) * (1 + tan2);
   }
@@ -30,9 +29,7 @@ class Beckmann {
   template <typename Probe>
   Real rational_masking(const Vec3<Real>& w, std::uint64_t which, Probe& probe) const {
     const Real b = probe.nudged(inverse_slope(w));
-    const bool one = probe.decide(DecisionKind::masking, which, b >= Real(1.6),
-                                  static_cast<double>(b) / 1.6 - 1);
-    if (one) return 1;
+    if (probe.reaches(DecisionKind::masking, b, 1.6, which)) return 1;
     const Real numerator = Real(3.535) * b + Real(2.181) * (b * b);
     return numerator / (1 + Real(2.276) * b + Real(2.577) * (b * b));
   }

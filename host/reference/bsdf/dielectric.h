@@ -23,7 +23,7 @@ class Dielectric : public DeltaLobes<Real> {
   template <typename Probe>
   BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
     const Real f = interface_.reflectance(wo.z, 0, probe);
-    if (probe.decide(DecisionKind::lobe, 0, n.lobe < f, static_cast<double>(f - n.lobe)))
+    if (probe.below(DecisionKind::lobe, n.lobe, f))
       return {{-wo.x, -wo.y, wo.z}, delta_pdf<Real>, Vec3<Real>(1)};
     const Real e = interface_.ratio();
     const Real cosine = interface_.refracted_cosine(wo.x * wo.x + wo.y * wo.y, probe);

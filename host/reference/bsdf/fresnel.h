@@ -26,7 +26,7 @@ template <typename Real, typename Probe>
   if (from == to) return 0;
   const Real excess = (to - from) * (to + from) / (from * from);  // eta^2 - 1
   const Real g2 = excess + c * c;
-  if (probe.decide(DecisionKind::reflectance, which, g2 <= 0, static_cast<double>(g2))) return 1;
+  if (!probe.positive(DecisionKind::reflectance, g2, which)) return 1;
   const Real g = std::sqrt(std::max(g2, Real(0)));
   const Real sum = g + c;
   const Real difference = excess / sum;

@@ -55,8 +55,7 @@ class RoughDielectric {
     if (!faces(pair.cosine, probe)) return {};
     const Real f = interface_.reflectance(pair.cosine, 0, probe);
     const Real p = within_reach(f);
-    pair.reflected =
-        probe.decide(DecisionKind::lobe, 0, n.lobe < p, static_cast<double>(p - n.lobe));
+    pair.reflected = probe.below(DecisionKind::lobe, n.lobe, p);
     const Vec3<Real> wi = pair.reflected ? 2 * pair.cosine * h - wo : refract(wo, pair, probe);
     if (is_above(wi, probe) != pair.reflected) return {};
     if (pair.reflected) pair.jacobian = jacobian_of_reflection(pair.cosine);
@@ -83,7 +82,7 @@ class RoughDielectric {
   /// Whether a microfacet shows its upper side, by the cosine to wo.
   template <typename Probe>
   static bool faces(Real cosine, Probe& probe) {
-    return probe.decide(DecisionKind::horizon, 2, cosine > 0, static_cast<double>(cosine));
+    return probe.positive(DecisionKind::horizon, cosine, 2);
   }
 
   template <typename Probe>
@@ -103,7 +102,7 @@ class RoughDielectric {
     const Real i = glm::dot(wi, h) / length;
     if (!(length > 0) || !faces(std::min(o, -i), probe)) return {};
     const Real up = h.z / length;
-    if (!probe.decide(DecisionKind::horizon, 3, up > 0, static_cast<double>(up))) return {};
+    if (!probe.positive(DecisionKind::horizon, up, 3)) return {};
     return {true, false, h, o,
             interface_.inner * interface_.inner * std::abs(i) / (length * length)};
   }

@@ -44,7 +44,7 @@ struct BsdfNumbers {
 /// Whether a direction lies above the surface.
 template <typename Real, typename Probe>
 [[nodiscard]] bool is_above(const Vec3<Real>& w, Probe& probe) {
-  return probe.decide(DecisionKind::horizon, 0, w.z > 0, static_cast<double>(w.z));
+  return probe.positive(DecisionKind::horizon, w.z);
 }
 
 /// A probability p within reach of a number of 24 bits from both sides, unless one side has no

@@ -56,7 +56,7 @@ class TwoLobes {
   template <typename Probe>
   BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
     const Real p = coat_probability(wo, probe);
-    if (!probe.decide(DecisionKind::lobe, 0, n.lobe < p, static_cast<double>(p - n.lobe))) {
+    if (!probe.below(DecisionKind::lobe, n.lobe, p)) {
       const Vec3<Real> wi = cosine_direction(n.u, n.v);
       return weighted(wo, wi, HalfVector<Real>(wo, wi), p, probe);
     }

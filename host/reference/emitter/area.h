@@ -35,8 +35,7 @@ class AreaLight {
   [[nodiscard]] Vec3<Real> emission(const Surface<Real>& s, const Vec3<Real>& d,
                                     Probe& probe) const {
     const Real cosine = glm::dot(s.ns, d);
-    const bool bright =
-        probe.decide(DecisionKind::emission, 0, cosine < 0, static_cast<double>(cosine));
+    const bool bright = probe.negative(DecisionKind::emission, cosine);
     if (!bright) return Vec3<Real>(0);
     if (texture_ == none) return radiance_;
     return radiance_ * texture_value(scene_.textures, texture_, s.uv, probe);
