@@ -1,7 +1,6 @@
 // facet parity: the kernels against the reference in two precisions, every difference explained.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -60,8 +59,7 @@ class ParityJob {
 
   /// A figure is kept of each sample.
   void check_sample_count() const {
-    const double samples = static_cast<double>(settings_.crop_width()) * settings_.crop_height() *
-                           (settings_.samples.end - settings_.samples.begin);
+    const auto samples = static_cast<double>(settings_.total_samples());
     if (samples > most_samples)
       throw InputError(fmt::format(
           "parity: {:.2g} samples are more than {:.2g}; use --crop, --resolution or --spp", samples,
@@ -76,7 +74,7 @@ class ParityJob {
     // each perturbation by one ulp then stands for three.
     if (!kernels.device().is_cpu()) tolerance.spread_factor *= 3;
     const std::unique_ptr<Rendering> rendering = kernels.start(scene_, settings_);
-    record_ = rendering->film().record;
+    record_ = rendering->record();
     Progress progress(options_.quiet, {});
     report_ = parity::check_parity(*scene_, settings_, tolerance, *rendering, [&](double done) {
       RenderStatistics statistics = rendering->statistics();

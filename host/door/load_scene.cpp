@@ -1,7 +1,5 @@
 #include <facet/scene.h>
 
-#include <algorithm>
-
 #include "door/warnings.h"
 #include "scene/reader.h"
 

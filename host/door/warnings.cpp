@@ -48,9 +48,7 @@ struct TrianglePlace {
 };
 
 TriangleCorners corners_of(const Scene& scene, const TrianglePlace& place) {
-  const Mesh& mesh = scene.meshes[place.mesh];
-  const uvec3& indices = mesh.position_indices[place.triangle];
-  return {mesh.positions[indices.x], mesh.positions[indices.y], mesh.positions[indices.z]};
+  return triangle_corners(scene.meshes[place.mesh], place.triangle);
 }
 
 dvec3 area_normal(const TriangleCorners& t) {

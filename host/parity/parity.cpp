@@ -211,7 +211,7 @@ class Comparison {
 
   void compare_precisions() {
     ParityReport& r = report_;
-    const std::uint32_t samples_per_pixel = settings_.samples.end - settings_.samples.begin;
+    const std::uint32_t samples_per_pixel = settings_.samples_per_pixel();
     if (r.same_branches > 0)
       r.precision_rms = std::sqrt(r.precision_rms / (3 * static_cast<double>(r.same_branches)));
     double variance = 0;
@@ -281,7 +281,7 @@ ParityReport check_parity(const Scene& scene, const RenderSettings& settings,
                           const Tolerance& tolerance, Rendering& kernels,
                           const ParityProgress& progress) {
   Comparison comparison(scene, settings, tolerance);
-  const double total = settings.samples.end - settings.samples.begin;
+  const double total = settings.samples_per_pixel();
   for (std::uint32_t sample = settings.samples.begin; sample < settings.samples.end; ++sample) {
     comparison.compare(sample, kernels.sample(sample));
     if (!progress((sample - settings.samples.begin + 1) / total)) break;

@@ -18,16 +18,18 @@ constexpr std::size_t pixels_at_a_time = 64;
 constexpr std::uint64_t samples_per_pass = 1U << 18U;
 
 template <typename Real>
-class ReferenceRendering : public Rendering {
+constexpr Precision precision_of = sizeof(Real) == sizeof(double) ? Precision::double_
+                                                                  : Precision::float_;
+
+template <typename Real>
+class ReferenceRendering : public RecordedRendering {
  public:
-  ReferenceRendering(ScenePtr scene, const RenderSettings& settings, const RenderRecord& record)
-      : scene_(std::move(scene)),
+  ReferenceRendering(const Backend& backend, ScenePtr scene, const RenderSettings& settings)
+      : RecordedRendering(backend, "reference", precision_of<Real>, *scene, settings),
+        scene_(std::move(scene)),
         settings_(settings),
         world_(*scene_, settings_),
-        film_(blank_film(settings_)),
-        total_(film_.pixels.size() * std::uint64_t{settings.samples.end - settings.samples.begin}) {
-    film_.record = record;
-  }
+        film_(blank_film(settings_)) {}
 
   void run(const ProgressCallback& progress) override {
     const auto start = std::chrono::steady_clock::now();
@@ -37,9 +39,9 @@ class ReferenceRendering : public Rendering {
       const std::uint32_t end = sample + std::min(most, settings_.samples.end - sample);
       pass(sample, end, [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
       statistics_.render_seconds = seconds_since(start);
-      if (progress &&
-          !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total_),
-                    statistics_))
+      if (progress && !progress(static_cast<double>(statistics_.samples) /
+                                    static_cast<double>(settings_.total_samples()),
+                                statistics_))
         break;
       sample = end;
     }
@@ -54,16 +56,11 @@ class ReferenceRendering : public Rendering {
     return radiances;
   }
 
-  Film film() const override {
-    Film film = film_;
-    film.record.seconds = statistics_.render_seconds;
-    film.record.complete = statistics_.samples == total_;
-    return film;
-  }
-
   const RenderStatistics& statistics() const override { return statistics_; }
 
  private:
+  Film sums() const override { return film_; }
+
   /// Adds samples [first, end) of every pixel to the film, and shows each to `look`.
   template <typename Look>
   void pass(std::uint32_t first, std::uint32_t end, const Look& look) {
@@ -104,7 +101,6 @@ class ReferenceRendering : public Rendering {
   RenderSettings settings_;
   World<Real> world_;
   Film film_;
-  std::uint64_t total_;  ///< samples over all pixels
   RenderStatistics statistics_;
 };
 
@@ -112,27 +108,19 @@ template <typename Real>
 class ReferenceBackend : public TestableBackend {
  public:
   std::string name() const override {
-    return precision == Precision::double_ ? "CPU reference in double" : "CPU reference in float";
+    return precision_of<Real> == Precision::double_ ? "CPU reference in double"
+                                                    : "CPU reference in float";
   }
   std::string driver() const override { return "none"; }
 
   std::unique_ptr<Rendering> start(const ScenePtr& scene, const RenderSettings& settings) override {
-    RenderRecord record = record_of(*scene, settings);
-    record.backend = "reference";
-    record.precision = precision;
-    record.device = name();
-    record.driver = driver();
-    return std::make_unique<ReferenceRendering<Real>>(scene, settings, record);
+    return std::make_unique<ReferenceRendering<Real>>(*this, scene, settings);
   }
 
   std::unique_ptr<statistics::BsdfEvaluator> evaluator(const Bsdf& bsdf,
                                                        LobeSampling sampling) override {
     return std::make_unique<ReferenceBsdfEvaluator<Real>>(bsdf, sampling);
   }
-
- private:
-  static constexpr Precision precision =
-      sizeof(Real) == sizeof(double) ? Precision::double_ : Precision::float_;
 };
 
 }  // namespace

@@ -22,11 +22,6 @@ struct SourceTriangle {
   std::uint32_t id;     ///< within the scene
 };
 
-TriangleCorners corners_of(const Mesh& mesh, std::size_t i) {
-  const uvec3& p = mesh.position_indices[i];
-  return {mesh.positions[p.x], mesh.positions[p.y], mesh.positions[p.z]};
-}
-
 class Packer {
  public:
   Packer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
@@ -61,7 +56,7 @@ class Packer {
         // A triangle without area cannot be hit, and would only make normals that do not exist.
         if (triangle_area(mesh, i) == 0) continue;
         sources_.push_back({m, i, id});
-        corners_.push_back(corners_of(mesh, i));
+        corners_.push_back(triangle_corners(mesh, i));
       }
     }
     first_source_.push_back(sources_.size());

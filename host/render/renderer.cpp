@@ -104,8 +104,7 @@ void Renderer::run_wave(const Wave& wave) {
 void Renderer::render(const ProgressCallback& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Resources& r = *resources_;
-  const std::uint64_t total =
-      std::uint64_t{r.pixel_count()} * (settings_.samples.end - settings_.samples.begin);
+  const std::uint64_t total = settings_.total_samples();
   std::uint32_t batch = 1;
   for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
     // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as

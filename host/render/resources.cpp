@@ -23,16 +23,14 @@ std::uint32_t workgroups(std::uint32_t invocations) {
   return (invocations + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE;
 }
 
-std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings,
-                           std::uint32_t pixels) {
-  const std::uint64_t paths =
-      std::uint64_t{pixels} * (settings.samples.end - settings.samples.begin);
+std::uint32_t choose_slots(const gpu::Device& device, const RenderSettings& settings) {
   std::uint32_t slots = settings.paths_in_flight;
   if (slots == 0) slots = device.is_cpu() ? slots_on_cpu : slots_on_gpu;
   // The largest record of a path must be bindable.
   const auto bindable =
       static_cast<std::uint32_t>(device.limits().maxStorageBufferRange / sizeof(shared::RayRecord));
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>({slots, paths, most_slots, bindable}));
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>({slots, settings.total_samples(), most_slots, bindable}));
 }
 
 std::uint32_t crop_pixels(const RenderSettings& settings) {
@@ -95,7 +93,7 @@ Renderer::Resources::Resources(gpu::Device& device, const PackedScene& packed)
                   : 1),
       variance_(packed.features.variance),
       pixel_count_(crop_pixels(packed.settings)),
-      slot_count_(choose_slots(device, packed.settings, pixel_count_)),
+      slot_count_(choose_slots(device, packed.settings)),
       geometry_(device, packed, packed.settings.force_storage_buffers),
       layout_(device, geometry_.binding_types(), sizeof(shared::PassConstants)),
       scene_(make_scene_buffers(device, packed, geometry_.fetch())),

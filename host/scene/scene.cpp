@@ -4,10 +4,15 @@
 
 namespace facet {
 
-double triangle_area(const Mesh& mesh, std::size_t triangle) {
+std::array<vec3, 3> triangle_corners(const Mesh& mesh, std::size_t triangle) {
   const uvec3& i = mesh.position_indices[triangle];
-  const dvec3 e1 = dvec3(mesh.positions[i.y]) - dvec3(mesh.positions[i.x]);
-  const dvec3 e2 = dvec3(mesh.positions[i.z]) - dvec3(mesh.positions[i.x]);
+  return {mesh.positions[i.x], mesh.positions[i.y], mesh.positions[i.z]};
+}
+
+double triangle_area(const Mesh& mesh, std::size_t triangle) {
+  const auto [a, b, c] = triangle_corners(mesh, triangle);
+  const dvec3 e1 = dvec3(b) - dvec3(a);
+  const dvec3 e2 = dvec3(c) - dvec3(a);
   const double area = 0.5 * glm::length(glm::cross(e1, e2));
   return area >= std::numeric_limits<float>::min() ? area : 0;
 }

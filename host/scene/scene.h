@@ -36,6 +36,9 @@ struct Mesh {
   std::uint32_t emitter = none;         ///< index into Scene::emitters
 };
 
+/// Corners of a triangle of the mesh.
+[[nodiscard]] std::array<vec3, 3> triangle_corners(const Mesh& mesh, std::size_t triangle);
+
 /// Area of a triangle of the mesh in m^2; 0 if it is too small for a float to hold, so that nothing
 /// can hit it.
 [[nodiscard]] double triangle_area(const Mesh& mesh, std::size_t triangle);

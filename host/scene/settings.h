@@ -28,6 +28,12 @@ struct RenderSettings {
 
   [[nodiscard]] int crop_width() const { return crop.x1 - crop.x0; }
   [[nodiscard]] int crop_height() const { return crop.y1 - crop.y0; }
+  [[nodiscard]] std::uint32_t samples_per_pixel() const { return samples.end - samples.begin; }
+  /// Over all pixels of the crop.
+  [[nodiscard]] std::uint64_t total_samples() const {
+    return std::uint64_t{samples_per_pixel()} * static_cast<std::uint64_t>(crop_width()) *
+           static_cast<std::uint64_t>(crop_height());
+  }
   /// The crop's place in the whole image.
   [[nodiscard]] ImageWindow window() const { return {crop.x0, crop.y0, size.width, size.height}; }
 };

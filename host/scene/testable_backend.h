@@ -23,6 +23,40 @@ class TestableBackend : public Backend {
       const Bsdf& bsdf, LobeSampling sampling) = 0;
 };
 
+/// A rendering that keeps its record.
+class RecordedRendering : public Rendering {
+ public:
+  [[nodiscard]] RenderRecord record() const final {
+    RenderRecord record = record_;
+    record.seconds = statistics().render_seconds;
+    record.complete = statistics().samples == total_samples_;
+    return record;
+  }
+  [[nodiscard]] Film film() const final {
+    Film film = sums();
+    film.record = record();
+    return film;
+  }
+
+ protected:
+  /// kind: of the backend, as RenderRecord::backend says it.
+  RecordedRendering(const Backend& backend, const char* kind, Precision precision,
+                    const Scene& scene, const RenderSettings& settings)
+      : record_(record_of(scene, settings)), total_samples_(settings.total_samples()) {
+    record_.backend = kind;
+    record_.precision = precision;
+    record_.device = backend.name();
+    record_.driver = backend.driver();
+  }
+
+  /// The film so far; its record is not looked at.
+  [[nodiscard]] virtual Film sums() const = 0;
+
+ private:
+  RenderRecord record_;
+  std::uint64_t total_samples_;
+};
+
 /// A scene that outlives all renderings of it.
 [[nodiscard]] inline ScenePtr borrowed(const Scene& scene) {
   return {&scene, [](const Scene*) {}};

@@ -28,7 +28,9 @@ class Rendering {
   /// run.
   [[nodiscard]] virtual std::vector<Radiance> sample(std::uint32_t index) = 0;
 
-  /// The film so far.
+  /// How what there is so far was made.
+  [[nodiscard]] virtual RenderRecord record() const = 0;
+  /// The film so far, with its record.
   [[nodiscard]] virtual Film film() const = 0;
   [[nodiscard]] virtual const RenderStatistics& statistics() const = 0;
 };
