@@ -1,14 +1,13 @@
-// Build tool: turns the comments at the heads of plugins into strings and into a page.
-//     make_manuals OUT.cpp OUT.md PICTURES_FOLDER FILE...
+// Build tool: turns the comments at the heads of plugins into strings.
+//     make_manuals OUT.cpp FILE...
 // A manual is a comment that begins a line with "/* NAME, NAME: what it is.", its first sentence
 // being the plugin in one line. What begins with "Record:" is about the program's inside and left
-// out. The plugin's kind is the file's folder, or in host/scene the file itself.
+// out. The plugin's kind is the file's folder, or in host/scene the file itself. After the first
+// paragraph the table of the plugin's parameters will stand (host/scene/manuals.h).
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -21,7 +20,8 @@ struct Manual {
   std::string kind;
   std::vector<std::string> names;
   std::string summary;
-  std::string text;  ///< markdown but for what escaped() changes
+  std::string opening;  ///< first paragraph
+  std::string details;
 };
 
 std::string read(const std::filesystem::path& file) {
@@ -77,7 +77,9 @@ std::vector<Manual> manuals_in(const std::filesystem::path& file) {
     const auto begin = static_cast<std::size_t>(i->position() + i->length());
     const std::string text = tidied(source.substr(begin, source.find("*/", begin) - begin));
     const std::string names = i->str(2);
-    Manual manual{kind_of(file), {}, first_sentence(text), text};
+    const std::size_t end = std::min(text.find("\n\n"), text.size());
+    Manual manual{kind_of(file), {}, first_sentence(text), text.substr(0, end) + "\n", ""};
+    if (end < text.size()) manual.details = text.substr(end + 2) + "\n";
     for (std::sregex_iterator n(names.begin(), names.end(), name); n != std::sregex_iterator(); ++n)
       manual.names.push_back(n->str());
     manuals.push_back(manual);
@@ -97,7 +99,7 @@ std::string as_source(const std::vector<Manual>& manuals) {
   text += "constexpr std::array<Manual, " + std::to_string(manuals.size()) + "> list{{\n";
   for (const Manual& m : manuals) {
     text += "    {\"" + m.kind + "\", \" " + joined(m.names, " ") + " \", R\"~~~(" + m.summary +
-            ")~~~\", R\"~~~(" + m.text + "\n)~~~\"},\n";
+            ")~~~\", R\"~~~(" + m.opening + ")~~~\", R\"~~~(" + m.details + ")~~~\"},\n";
   }
   return text +
          "}};\n\n}  // namespace\n\nstd::span<const Manual> manuals() { return list; }\n\n}  // "
@@ -105,61 +107,16 @@ std::string as_source(const std::vector<Manual>& manuals) {
          "facet\n";
 }
 
-/// Characters that markdown takes for its own, outside of `code`.
-std::string escaped(const std::string& text) {
-  std::string result;
-  bool is_code = false;
-  for (const char c : text) {
-    is_code = is_code != (c == '`');
-    if (!is_code && (c == '*' || c == '<')) result += '\\';
-    result += c;
-  }
-  return result;
-}
-
-std::string as_page(const std::vector<Manual>& manuals, const std::filesystem::path& pictures) {
-  const std::string folder = pictures.filename().string();
-  std::map<std::string, std::vector<const Manual*>> kinds;
-  for (const Manual& m : manuals) kinds[m.kind].push_back(&m);
-  std::string page =
-      "# Plugins of the scene language\n\nThis page is made from the comments at the heads of the "
-      "plugins' "
-      "files: change those, then `ninja "
-      "plugins_page`. `facet info --plugins NAME` prints the same.\n";
-  for (const auto& [kind, list] : kinds) {
-    page += "\n## " + kind + "\n";
-    for (const Manual* m : list) {
-      page += "\n### " + joined(m->names, ", ") + "\n\n";
-      for (const std::string& name : m->names) {
-        if (std::filesystem::exists(pictures / (name + ".png")))
-          page.append("![")
-              .append(name)
-              .append("](")
-              .append(folder)
-              .append("/")
-              .append(name)
-              .append(".png)\n\n");
-      }
-      std::string text = escaped(m->text);
-      text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-      page += text + "\n";
-    }
-  }
-  return page;
-}
-
 void make(const std::vector<std::string>& arguments) {
-  if (arguments.size() < 4)
-    throw std::runtime_error("usage: make_manuals OUT.cpp OUT.md PICTURES_FOLDER FILE...");
+  if (arguments.size() < 2) throw std::runtime_error("usage: make_manuals OUT.cpp FILE...");
   std::vector<Manual> manuals;
-  for (std::size_t i = 3; i < arguments.size(); ++i) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
     for (Manual& manual : manuals_in(arguments[i])) manuals.push_back(std::move(manual));
   }
   std::stable_sort(manuals.begin(), manuals.end(), [](const Manual& a, const Manual& b) {
     return std::pair(a.kind, a.names.front()) < std::pair(b.kind, b.names.front());
   });
   write(arguments[0], as_source(manuals));
-  write(arguments[1], as_page(manuals, arguments[2]));
 }
 
 }  // namespace

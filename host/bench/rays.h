@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 
 namespace facet::bench {
 

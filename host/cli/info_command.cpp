@@ -11,7 +11,7 @@
 #include "core/text.h"
 #include "door/warnings.h"
 #include "render/features.h"
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 #include "scene/manuals.h"
 #include "scene/plugins.h"
 #include "scene/reader.h"
@@ -46,7 +46,7 @@ void print_plugins(const std::string& name) {
   for (const Manual& m : manuals()) {
     for (const std::string_view other : split_list(m.names)) known.emplace_back(other);
     if (!m.is_about(name)) continue;
-    put("{} \"{}\": {}", m.kind, name, m.text);
+    put("{} \"{}\": {}", m.kind, name, full_text(m));
     return;
   }
   throw InputError(

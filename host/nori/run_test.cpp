@@ -34,7 +34,7 @@ class Run {
         backend_(backend),
         sampling_(sampling),
         numbers_(seed),
-        significance_(statistics::sidak_significance(test.significance, test.case_count())) {}
+        significance_(statistics::sidak_significance(test.significance(), test.case_count())) {}
 
   /// Scenes, then BSDFs; a file has either.
   void cases(const std::function<bool(const TestCase&)>& report) {

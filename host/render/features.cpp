@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/pack/bsdf_record.h"
 #include "shared/emitter_list.h"
 
 namespace facet {

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "gpu/pipeline.h"
 #include "render/kernels.h"
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 #include "shared/bindings.h"
 
 namespace facet {

@@ -5,6 +5,7 @@
 #include "gpu/specialise.h"
 #include "render/features.h"
 #include "render/kernels.h"
+#include "render/pack/bsdf_record.h"
 #include "scene/bsdf/albedo_table.h"
 
 namespace facet {

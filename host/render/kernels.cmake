@@ -19,8 +19,9 @@ macro(facet_kernel kernel fetch)
   set(raw ${FACET_KERNEL_DIR}/${name}.raw.spv)
   add_custom_command(
     OUTPUT ${raw}
-    COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${ARGN} --depfile ${raw}.d -o ${raw} ${source}
-    DEPENDS ${source}
+    COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${ARGN}
+            -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_BINARY_DIR}/generated --depfile ${raw}.d -o ${raw} ${source}
+    DEPENDS ${source} ${FACET_BSDF_PARAMETERS}
     DEPFILE ${raw}.d
     COMMENT "Compiling kernel ${name}"
     VERBATIM)

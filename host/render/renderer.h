@@ -6,7 +6,7 @@
 
 #include "gpu/device.h"
 #include "image/film.h"
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 #include "render/stages.h"
 
 namespace facet {

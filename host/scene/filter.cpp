@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/xml/property_reader.h"
+
 namespace facet {
 
 namespace {
@@ -44,6 +46,14 @@ std::string text(const TentFilter&) { return "tent"; }
 std::string text(const BoxFilter&) { return "box"; }
 
 }  // namespace
+
+void MitchellFilter::check(const PropertyReader& properties) const {
+  if (is_bell(*this)) return;
+  properties.fail(
+      "C", fmt::format("with B = {} and C = {} the filter is not positive first and negative "
+                       "beyond; B from 0 to 1 and C from 0 to 1 are usual",
+                       b, c));
+}
 
 double filter_radius(const Filter& filter) {
   return std::visit([](const auto& f) { return radius(f); }, filter);

@@ -58,27 +58,41 @@ class Hash {
     add(bsdf);
     add(emitter);
   }
-  /// By the record that the kernels read, which holds every parameter.
+  template <typename Value>
+  void add(const Textured<Value>& value) {
+    add(value.texture);
+    add(value.value);
+  }
+  template <typename Value>
+  void add(const std::optional<Value>& value) {
+    add(value ? 1 : 0);
+    if (value) add(*value);
+  }
+  template <typename Value>
+  requires std::is_enum_v<Value>
+  void add(Value value) { add(static_cast<int>(value)); }
+
+  /// A visitor of declared parameters.
+  template <typename Value, typename Kind>
+  void operator()(const char* name, const Value& value, const Kind& /*kind*/,
+                  const char* /*meaning*/) {
+    add(std::string_view(name));
+    add(value);
+  }
+  template <typename Value>
+  void derived(const char* /*name*/, const Value& /*value*/) {}
+  template <typename Type>
+  requires requires(const Type& value, Hash& hash) { Type::declare(value, hash); }
+  void add(const Type& value) { Type::declare(value, *this); }
   void add(const Bsdf& bsdf) {
-    const shared::BsdfRecord record = pack_bsdf(bsdf);
     add(bsdf_type_names.at(bsdf.index()));
-    add(record.flags);
-    add(record.texture_a);
-    add(record.texture_b);
-    add(record.texture_alpha);
-    add(record.a);
-    add(record.b);
+    std::visit([this](const auto& parameters) { add(parameters); }, bsdf);
   }
   void add(const AreaEmitter& emitter) {
     const auto& [mesh, radiance, texture] = emitter;
     add(mesh);
     add(radiance);
     add(texture);
-  }
-  void add(const PointLight& emitter) {
-    const auto& [position, intensity] = emitter;
-    add(position);
-    add(intensity);
   }
   void add(const CheckerTexture& texture) {
     const auto& [first, second, scale_x, scale_y] = texture;
@@ -105,19 +119,6 @@ class Hash {
     add(height);
     add(texels);
   }
-  void add(const GaussianFilter& filter) {
-    const auto& [radius, stddev] = filter;
-    add(radius);
-    add(stddev);
-  }
-  void add(const MitchellFilter& filter) {
-    const auto& [radius, b, c] = filter;
-    add(radius);
-    add(b);
-    add(c);
-  }
-  void add(const TentFilter&) {}
-  void add(const BoxFilter&) {}
   void add(const Camera& camera) {
     const auto& [width, height, to_world, fov, near_clip, far_clip, filter] = camera;
     add(to_world);

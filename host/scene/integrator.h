@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/maths.h"
+#include "scene/plugin/parameter.h"
 #include "shared/integrator_list.h"
 
 namespace facet {
@@ -33,6 +33,19 @@ struct Integrator {
   Heuristic heuristic = Heuristic::balance;
   vec3 position{0};  ///< of the light of `simple`
   Color energy{1};   ///< of that light, W
+
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    if (p.type.name == "simple") {
+      visit("position", p.position, Point{}, "of the light");
+      visit("energy", p.energy, NonNegativeColor{}, "of the light, W");
+    }
+    if (!p.needs_emitters()) return;
+    visit("maxDepth", p.max_depth, Count{-1, 1 << 30}, "surface interactions, -1: unlimited");
+    visit("heuristic", p.heuristic, Choice{heuristic_words},
+          "MIS weights; power: beta = 2, Veach and Guibas 1995");
+  }
 
   /// Most surface interactions under both limits, -1: unlimited.
   [[nodiscard]] int interaction_limit() const {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/plugin/parameter_list.h"
 #include "scene/xml/property_reader.h"
 
 namespace facet {
@@ -11,6 +12,7 @@ namespace facet {
 struct PluginInfo {
   std::string_view tag;   ///< mesh, bsdf, ...
   std::string_view type;  ///< the XML attribute
+  std::vector<ParameterInfo> parameters;
 };
 
 [[nodiscard]] const std::vector<PluginInfo>& plugins();

@@ -21,10 +21,6 @@ struct Overridden {
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                                const Overridden& overridden = {});
 
-/// Largest image that is rendered, pixels a side and in all: what is written can be read again.
-inline constexpr int largest_image_side = static_cast<int>(largest_file_side);
-inline constexpr long long largest_image_area = largest_file_area;
-
 /// Throws InputError unless width x height lies within the limits above.
 void check_image_size(long long width, long long height);
 

@@ -1,11 +1,6 @@
 #pragma once
 /* independent, sobol: where the random numbers of a sample come from.
 
-   | parameter   | default | meaning                             |
-   |-------------|---------|-------------------------------------|
-   | sampleCount | 1       | samples a pixel                     |
-   | seed        | 0       | another seed gives another estimate |
-
    `independent`: every number is a hash of pixel, sample and dimension (M. Jarzynski, M. Olano,
    JCGT 9(3), 2020).
 
@@ -21,6 +16,7 @@
 #include <optional>
 #include <string_view>
 
+#include "scene/plugin/parameter.h"
 #include "shared/sampler_list.h"
 
 namespace facet {
@@ -29,6 +25,18 @@ enum class Sampler : std::uint32_t {
 #define FACET_SAMPLER(name, id) name = id,
   FACET_SAMPLER_LIST(FACET_SAMPLER)
 #undef FACET_SAMPLER
+};
+
+/// What every sampler knows.
+struct SamplerParameters {
+  int sample_count = 1;
+  std::uint32_t seed = 0;
+
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    visit("sampleCount", p.sample_count, parameter::Count{1, 1 << 30}, "samples a pixel");
+    visit("seed", p.seed, parameter::Count{0, 0x7fffffff}, "another seed gives another estimate");
+  }
 };
 
 /// The scene language's names, by id.

@@ -54,6 +54,13 @@ struct AreaEmitter {
 struct PointLight {
   vec3 position{0, 100, 0};
   Color intensity{1};  ///< W sr^-1
+
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    visit("position", p.position, parameter::Point{}, "in the scene's space");
+    visit("radiance", p.intensity, parameter::NonNegativeColor{},
+          "radiant intensity, W sr^-1; falls off with 1/d^2");
+  }
 };
 
 /// Light from infinity: latitude-longitude map, already scaled; 1x1 where constant. Rows as in the

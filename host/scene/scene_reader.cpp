@@ -1,11 +1,9 @@
 #include "scene/scene_reader.h"
 
-#include <glm/gtc/matrix_access.hpp>
-
 #include "core/text.h"
-#include "core/words.h"
 #include "scene/emitter/readers.h"
 #include "scene/mesh/mtl.h"
+#include "scene/plugin/parameter_reader.h"
 #include "scene/plugins.h"
 #include "scene/reader.h"
 #include "scene/texture/reader.h"
@@ -34,54 +32,21 @@ void SceneReader::read_camera(PropertyReader& scene) {
   PropertyReader p = open(*node);
   if (p.type() != "perspective") fail_unknown_type(p, "camera");
   Camera& c = scene_.camera;
-  c.width = p.integer("width", c.width, 1, largest_image_side);
-  c.height = p.integer("height", c.height, 1, largest_image_side);
-  if (static_cast<long long>(c.width) * c.height > largest_image_area) {
-    p.fail("width", fmt::format("and height make an image of {}x{}, more than {} pixels", c.width,
-                                c.height, largest_image_area));
-  }
-  c.to_world = p.transform("toWorld");
-  if (glm::determinant(glm::dmat3(c.to_world)) == 0) p.fail("toWorld", "is not invertible");
-  if (glm::row(c.to_world, 3) != glm::dvec4(0, 0, 0, 1))
-    p.fail("toWorld", "is projective: its last row must be 0 0 0 1");
-  c.fov = p.real_above("fov", c.fov, 0);
-  if (c.fov >= 180) p.fail("fov", fmt::format("is {:g} degrees, but must be less than 180", c.fov));
-  c.near_clip = p.real("nearClip", c.near_clip);
-  if (c.near_clip < 0) p.fail("nearClip", "must not be negative");
-  c.far_clip = p.real_above("farClip", c.far_clip, c.near_clip);
+  c = read_parameters<Camera>(p);
   if (const auto filter = p.only_child("rfilter")) c.filter = read_filter(*filter);
   p.finish(diagnostics_);
 }
 
 Filter SceneReader::read_filter(const pugi::xml_node& node) {
   PropertyReader p = open(node);
-  Filter filter;
-  if (p.type() == "gaussian") {
-    GaussianFilter f;
-    f.radius = p.real_between("radius", f.radius, 0.01, 100);
-    f.stddev = p.real_between("stddev", f.stddev, 0.01, 100);
-    filter = f;
-  } else if (p.type() == "mitchell") {
-    MitchellFilter f;
-    f.radius = p.real_between("radius", f.radius, 0.01, 100);
-    f.b = p.real_between("B", f.b, -10, 10);
-    f.c = p.real_between("C", f.c, -10, 10);
-    filter = f;
-    if (!is_bell(filter))
-      p.fail("C",
-             fmt::format(
-                 "with B = {} and C = {} the filter is not positive first and negative beyond; "
-                 "B from 0 to 1 and C from 0 to 1 are usual",
-                 f.b, f.c));
-  } else if (p.type() == "tent") {
-    filter = TentFilter{};
-  } else if (p.type() == "box") {
-    filter = BoxFilter{};
-  } else {
-    fail_unknown_type(p, "rfilter");
-  }
+  std::optional<Filter> filter;
+  if (p.type() == "gaussian") filter = read_parameters<GaussianFilter>(p);
+  if (p.type() == "mitchell") filter = read_parameters<MitchellFilter>(p);
+  if (p.type() == "tent") filter = read_parameters<TentFilter>(p);
+  if (p.type() == "box") filter = read_parameters<BoxFilter>(p);
+  if (!filter) fail_unknown_type(p, "rfilter");
   p.finish(diagnostics_);
-  return filter;
+  return *filter;
 }
 
 void SceneReader::read_sampler(PropertyReader& scene) {
@@ -91,8 +56,9 @@ void SceneReader::read_sampler(PropertyReader& scene) {
   const auto sampler = find_sampler(p.type());
   if (!sampler) forgive_unknown_type(p, "sampler", overridden_.sampler);
   scene_.sampler = sampler.value_or(scene_.sampler);
-  scene_.sample_count = p.integer("sampleCount", 1, 1, 1 << 30);
-  scene_.seed = static_cast<std::uint32_t>(p.integer("seed", 0, 0, 0x7fffffff));
+  const auto parameters = read_parameters<SamplerParameters>(p);
+  scene_.sample_count = parameters.sample_count;
+  scene_.seed = parameters.seed;
   p.finish(diagnostics_);
 }
 
@@ -113,16 +79,7 @@ void SceneReader::read_integrator(PropertyReader& scene) {
     return;
   }
   // The name lives in the table, not in the file's text.
-  scene_.integrator.type = *type;
-  if (p.type() == "simple") {
-    scene_.integrator.position = p.point("position", scene_.integrator.position);
-    scene_.integrator.energy = p.radiance("energy", scene_.integrator.energy);
-  }
-  if (scene_.integrator.needs_emitters()) {
-    scene_.integrator.max_depth = p.integer("maxDepth", -1, -1, 1 << 30);
-    scene_.integrator.heuristic =
-        value_of(heuristic_words, p.choice("heuristic", names_of(heuristic_words))).value();
-  }
+  scene_.integrator = read_parameters<Integrator>(p, {*type});
   p.finish(diagnostics_);
 }
 
@@ -131,10 +88,8 @@ SceneReader::Surfaces SceneReader::read_surfaces(PropertyReader& p) {
   if (p.type() == "memory" && used_memory_meshes_ < memory_meshes_.size())
     return {{std::move(memory_meshes_[used_memory_meshes_++])}, {read_bsdf(bsdf.value())}};
   if (p.type() != "obj") fail_unknown_type(p, "mesh");
-  const std::string filename = p.string("filename", "");
-  if (filename.empty()) throw InputError(p.location(), "mesh \"obj\" lacks a filename");
+  const auto [filename, to_world] = read_parameters<ObjParameters>(p);
   const std::filesystem::path path = xml_.path().parent_path() / filename;
-  const dmat4 to_world = p.transform("toWorld");
   if (bsdf) return {{read_obj(path, to_world, p.location(), diagnostics_)}, {read_bsdf(*bsdf)}};
   ObjParts parts = read_obj_by_material(path, to_world, p.location(), diagnostics_);
   std::vector<Bsdf> bsdfs = read_materials(parts, path.parent_path(), p.location());
@@ -227,7 +182,7 @@ Bsdf SceneReader::read_bsdf(const pugi::xml_node& node) {
   PropertyReader p = open_textured(node);
   std::optional<Bsdf> bsdf;
 #define FACET_READ(name, Type, id) \
-  if (p.type() == #name) bsdf = bsdf::Type::read(p);
+  if (p.type() == #name) bsdf = read_parameters<bsdf::Type>(p);
   FACET_BSDF_LIST(FACET_READ)
 #undef FACET_READ
   if (!bsdf) fail_unknown_type(p, "bsdf");
@@ -244,7 +199,7 @@ void SceneReader::read_emitter(const pugi::xml_node& node) {
       throw InputError(p.location(), "the scene has more than one environment");
     scene_.emitters.emplace_back(read_environment_emitter(p, diagnostics_));
   } else if (p.type() == "pointlight") {
-    scene_.emitters.emplace_back(read_point_light(p));
+    scene_.emitters.emplace_back(read_parameters<PointLight>(p));
   } else {
     fail_unknown_type(p, "emitter");
   }

@@ -1,49 +1,12 @@
 #include "scene/test_reader.h"
 
-#include "core/text.h"
+#include "scene/plugin/parameter_reader.h"
 #include "scene/plugins.h"
 #include "scene/scene_reader.h"
 
 namespace facet {
 
 namespace {
-
-/// A <string> of numbers between commas and blanks.
-std::vector<double> read_list(PropertyReader& p, const std::string& name) {
-  const std::string text = p.string(name, "");
-  std::vector<double> numbers;
-  for (const std::string_view part : split_list(text)) {
-    const auto number = parse_real(part);
-    if (!number) p.fail(name, fmt::format("holds \"{}\", which is no number", part));
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-TTest read_t_test(PropertyReader& p) {
-  TTest test;
-  test.angles = read_list(p, "angles");
-  for (const double angle : test.angles) {
-    if (angle < 0 || angle > 180)
-      p.fail("angles",
-             fmt::format("holds {:g}, but an angle lies between 0 and 180 degrees", angle));
-  }
-  test.references = read_list(p, "references");
-  test.sample_count = p.integer("sampleCount", test.sample_count, 2, 1 << 30);
-  return test;
-}
-
-ChiSquaredTest read_chi_squared_test(PropertyReader& p) {
-  ChiSquaredTest test;
-  test.resolution = p.integer("resolution", test.resolution, 1, 1000);
-  test.least_expected =
-      p.integer("minExpFrequency", static_cast<int>(test.least_expected), 1, 1 << 30);
-  test.sample_count = p.integer("sampleCount", test.sample_count, -1, 1 << 30);
-  if (test.sample_count == 0)
-    p.fail("sampleCount", "is 0, but must be -1 (5000 a bin) or positive");
-  test.direction_count = p.integer("testCount", test.direction_count, 1, 1 << 20);
-  return test;
-}
 
 /// The objects under test.
 void read_subjects(const XmlDocument& xml, PropertyReader& p, StatisticalTest& test,
@@ -94,6 +57,23 @@ void check_references(const PropertyReader& p, const StatisticalTest& test) {
 
 }  // namespace
 
+void TTest::check(const PropertyReader& properties) const {
+  for (const double angle : angles) {
+    if (angle < 0 || angle > 180)
+      properties.fail(
+          "angles", fmt::format("holds {:g}, but an angle lies between 0 and 180 degrees", angle));
+  }
+}
+
+void ChiSquaredTest::check(const PropertyReader& properties) const {
+  if (sample_count == 0)
+    properties.fail("sampleCount", "is 0, but must be -1 (5000 a bin) or positive");
+}
+
+double StatisticalTest::significance() const {
+  return std::visit([](const auto& test) { return test.significance; }, kind);
+}
+
 std::size_t StatisticalTest::case_count() const {
   if (const auto* t = std::get_if<TTest>(&kind))
     return scenes.size() + bsdfs.size() * t->angles.size();
@@ -118,14 +98,12 @@ StatisticalTest read_test(const std::filesystem::path& path, Diagnostics& diagno
   StatisticalTest test;
   test.file = path;
   if (p.type() == "ttest") {
-    test.kind = read_t_test(p);
+    test.kind = read_parameters<TTest>(p);
   } else if (p.type() == "chi2test") {
-    test.kind = read_chi_squared_test(p);
+    test.kind = read_parameters<ChiSquaredTest>(p);
   } else {
     fail_unknown_type(p, "test");
   }
-  test.significance = p.real_above("significanceLevel", test.significance, 0);
-  if (test.significance >= 1) p.fail("significanceLevel", "must be less than 1");
   read_subjects(xml, p, test, diagnostics);
   check_references(p, test);
   p.finish(diagnostics);

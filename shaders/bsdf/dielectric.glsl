@@ -1,14 +1,9 @@
 /* dielectric: a smooth interface between two transparent media, such as glass or water.
 
-   | parameter | default  | meaning                               |
-   |-----------|----------|---------------------------------------|
-   | intIOR    | 1.5046   | index of refraction below the surface |
-   | extIOR    | 1.000277 | index above                           |
-
    Reflects with probability F, the exact Fresnel term, else refracts by Snell's law; refracted radiance is scaled by
-   (eta_o/eta_i)^2, eta_o being the index on the viewer's side.
-   Record: b.x = extIOR, b.y = intIOR. */
+   (eta_o/eta_i)^2, eta_o being the index on the viewer's side. */
 #include "../lib/bsdf_sample.glsl"
+#include "bsdf_parameters.glsl"
 #include "../lib/fresnel.glsl"
 
 vec3 dielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) { return vec3(0.0); }
@@ -17,9 +12,9 @@ float dielectric_pdf(BsdfRecord b, vec3 wo, vec3 wi) { return 0.0; }
 
 BsdfSample dielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   bool below = wo.z < 0.0;
-  float eta_o = below ? b.b.y : b.b.x;
-  float eta_i = below ? b.b.x : b.b.y;
-  bool reflects = lobe < fresnel_dielectric(wo.z, b.b.x, b.b.y);
+  float eta_o = below ? dielectric_int_ior(b) : dielectric_ext_ior(b);
+  float eta_i = below ? dielectric_ext_ior(b) : dielectric_int_ior(b);
+  bool reflects = lobe < fresnel_dielectric(wo.z, dielectric_ext_ior(b), dielectric_int_ior(b));
   float e = eta_o / eta_i;
   float cos_t = sqrt(max(1.0 - e * e * (wo.x * wo.x + wo.y * wo.y), 0.0));
   BsdfSample s = bsdf_sample_none();

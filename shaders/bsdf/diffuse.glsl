@@ -1,15 +1,11 @@
 /* diffuse: Lambertian reflection.
 
-   | parameter | default | meaning                                     |
-   |-----------|---------|---------------------------------------------|
-   | albedo    | 0.5     | share of light reflected, colour or texture |
-
-   f = albedo / pi. Sampled by the cosine-weighted hemisphere, so that f cos / pdf = albedo.
-   Record: a.rgb = albedo. */
+   f = albedo / pi. Sampled by the cosine-weighted hemisphere, so that f cos / pdf = albedo. */
 #include "../lib/bsdf_sample.glsl"
+#include "bsdf_parameters.glsl"
 #include "../lib/warp.glsl"
 
-vec3 diffuse_eval(BsdfRecord b, vec3 wo, vec3 wi) { return b.a.rgb * INV_PI; }
+vec3 diffuse_eval(BsdfRecord b, vec3 wo, vec3 wi) { return diffuse_albedo(b) * INV_PI; }
 
 float diffuse_pdf(BsdfRecord b, vec3 wo, vec3 wi) { return wi.z * INV_PI; }
 
@@ -17,6 +13,6 @@ BsdfSample diffuse_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   BsdfSample s = bsdf_sample_none();
   s.wi = square_to_cosine_hemisphere(u);
   s.pdf = s.wi.z * INV_PI;
-  s.weight = b.a.rgb;
+  s.weight = diffuse_albedo(b);
   return s;
 }

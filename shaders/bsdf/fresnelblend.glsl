@@ -1,22 +1,14 @@
 /* fresnelblend: a diffuse base that a glossy coat dims, PBRT's FresnelBlend.
 
-   | parameter | default | meaning                                          |
-   |-----------|---------|--------------------------------------------------|
-   | Rd        | 0.5     | reflectance of the base, colour or texture       |
-   | Rs        | 0.5     | reflectance of the coat at normal incidence, colour or texture |
-   | alpha     | 0.1     | roughness of the coat, 1e-4 to 1, number or texture |
-   | distribution | beckmann | of the coat's microfacets: `beckmann` or `ggx` |
-
    f = 28 Rd/(23 pi) (1 - Rs) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5) + D Schlick(Rs, wi.wh)/(4 wi.wh max(cos_i, cos_o)):
-   M. Ashikhmin, P. Shirley, "An Anisotropic Phong BRDF Model", 2000, with a microfacet distribution for theirs. It has no masking.
-   Record: a.rgb = Rd, a.w = alpha, b.rgb = Rs. */
+   M. Ashikhmin, P. Shirley, "An Anisotropic Phong BRDF Model", 2000, with a microfacet distribution for theirs. It has no masking. */
 #include "../lib/coated.glsl"
 #include "../lib/fresnel.glsl"
 
 /// Probability of choosing the coat.
 float fresnelblend_coat_probability(BsdfRecord b, vec3 wo) {
-  float base = mean3(b.a.rgb * (vec3(1.0) - b.b.rgb)) * coated_falloff(wo.z);
-  return coated_probability(mean3(fresnel_schlick(b.b.rgb, wo.z)), base);
+  float base = mean3(fresnelblend_rd(b) * (vec3(1.0) - fresnelblend_rs(b))) * coated_falloff(wo.z);
+  return coated_probability(mean3(fresnel_schlick(fresnelblend_rs(b), wo.z)), base);
 }
 
 /// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either direction and h.
@@ -24,9 +16,9 @@ vec3 fresnelblend_value(BsdfRecord b, vec3 wo, vec3 wi, vec3 h, float c) {
   Microfacets m = microfacets_of(b);
   // 28/(23 pi)
   float falloff = 0.387507688 * coated_falloff(wi.z) * coated_falloff(wo.z) * wi.z;
-  vec3 base = b.a.rgb * (vec3(1.0) - b.b.rgb) * falloff;
+  vec3 base = fresnelblend_rd(b) * (vec3(1.0) - fresnelblend_rs(b)) * falloff;
   float coat = microfacet_d(h, m) * 0.25 / c * (wi.z / max(wi.z, wo.z));
-  return base + fresnel_schlick(b.b.rgb, c) * coat;
+  return base + fresnel_schlick(fresnelblend_rs(b), c) * coat;
 }
 
 vec3 fresnelblend_eval(BsdfRecord b, vec3 wo, vec3 wi) {

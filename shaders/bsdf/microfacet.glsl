@@ -1,30 +1,21 @@
 /* microfacet: Nori's rough plastic: a Lambertian base and a rough dielectric coat that share the light by the base's albedo.
 
-   | parameter | default  | meaning                                    |
-   |-----------|----------|--------------------------------------------|
-   | alpha     | 0.1      | roughness of the coat, 1e-4 to 1           |
-   | intIOR    | 1.5046   | index of refraction below the surface      |
-   | extIOR    | 1.000277 | index above                                |
-   | kd        | 0.5      | albedo of the base; the coat has 1 - max(kd) |
-   | distribution, masking | | of the coat's microfacets: see roughconductor |
-
-   f = kd/pi + ks D F G/(4 cos_i cos_o), ks = 1 - max(kd), F dielectric.
-   Record: a.rgb = kd, a.w = alpha, b.x = extIOR, b.y = intIOR. */
+   f = kd/pi + ks D F G/(4 cos_i cos_o), ks = 1 - max(kd), F dielectric. */
 #include "../lib/coated.glsl"
 #include "../lib/fresnel.glsl"
 
 /// Probability of choosing the coat.
 float microfacet_coat_probability(BsdfRecord b, vec3 wo) {
-  float ks = 1.0 - max(b.a.r, max(b.a.g, b.a.b));
-  return coated_probability(ks * fresnel_dielectric(wo.z, b.b.x, b.b.y), mean3(b.a.rgb));
+  float ks = 1.0 - max(microfacet_kd(b).r, max(microfacet_kd(b).g, microfacet_kd(b).b));
+  return coated_probability(ks * fresnel_dielectric(wo.z, microfacet_ext_ior(b), microfacet_int_ior(b)), mean3(microfacet_kd(b)));
 }
 
 /// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either direction and h.
 vec3 microfacet_value(BsdfRecord b, vec3 wo, vec3 wi, vec3 h, float c) {
   Microfacets m = microfacets_of(b);
-  vec3 base = b.a.rgb * (INV_PI * wi.z);
-  float ks = 1.0 - max(b.a.r, max(b.a.g, b.a.b));
-  float coat = microfacet_d(h, m) * 0.25 * fresnel_dielectric(c, b.b.x, b.b.y) * microfacet_g(wi, wo, m) / wo.z;
+  vec3 base = microfacet_kd(b) * (INV_PI * wi.z);
+  float ks = 1.0 - max(microfacet_kd(b).r, max(microfacet_kd(b).g, microfacet_kd(b).b));
+  float coat = microfacet_d(h, m) * 0.25 * fresnel_dielectric(c, microfacet_ext_ior(b), microfacet_int_ior(b)) * microfacet_g(wi, wo, m) / wo.z;
   return base + vec3(ks * coat);
 }
 

@@ -1,26 +1,15 @@
 /* roughconductor: rough metal.
 
-   | parameter    | default  | meaning                                                                |
-   |--------------|----------|------------------------------------------------------------------------|
-   | alpha        | 0.1      | roughness, 1e-4 to 1, number or texture                                |
-   | R0           | 0.5      | reflectance at normal incidence, colour or texture, by Schlick's term  |
-   | material     |          | a metal instead of R0, by the exact Fresnel term: `Ag`, `Al`, `Au`, `Co`, `Cr`, `Cu`, `Fe`, `Mn`, `Ni`, `Pd`, `Ti` or `V` |
-   | eta, k       |          | its complex index of refraction instead, colours, 0.001 to 1000 and 0 to 1000 |
-   | distribution | beckmann | of the microfacets' normals: `beckmann` or `ggx`                       |
-   | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, within 0.35 %) or `exact` |
-   | multiscatter | false    | give back the light that is lost between microfacets (Turquin 2019)    |
-
    f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf` (wh ~ D cos_h) or `visible` (Heitz
-   and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md.
-   Record: a.rgb = R0, a.w = alpha; with an index of refraction, a.rgb = eta, b.rgb = k. */
+   and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/microfacet.glsl"
 #include "../lib/multiscatter.glsl"
 
 vec3 roughconductor_fresnel(BsdfRecord b, float c) {
-  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR)) return fresnel_conductor(b.a.rgb, b.b.rgb, c);
-  return fresnel_schlick(b.a.rgb, c);
+  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR)) return fresnel_conductor(roughconductor_eta(b), roughconductor_k(b), c);
+  return fresnel_schlick(roughconductor_r0(b), c);
 }
 
 /// Energy that multiple scattering gives back.

@@ -1,16 +1,7 @@
 /* roughdielectric: a rough interface between two transparent media, such as ground glass.
 
-   | parameter | default  | meaning                                       |
-   |-----------|----------|-----------------------------------------------|
-   | alpha     | 0.1      | roughness, 1e-4 to 1, number or texture       |
-   | intIOR    | 1.5046   | index of refraction below the surface         |
-   | extIOR    | 1.000277 | index above                                   |
-   | ka        | 1        | tint of both lobes, colour or texture (also called m_ka) |
-   | distribution, masking | | of the microfacets: see roughconductor   |
-
    B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, eq. 20 and 21, with radiance
-   scaled by refraction. Where both indices are equal, light passes straight through, dimmed by masking.
-   Record: a.rgb = ka, a.w = alpha, b.x = extIOR, b.y = intIOR. */
+   scaled by refraction. Where both indices are equal, light passes straight through, dimmed by masking. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/microfacet.glsl"
@@ -30,8 +21,8 @@ RoughInterface roughdielectric_interface(BsdfRecord b, vec3 wo) {
   r.m = microfacets_of(b);
   r.side = below ? -1.0 : 1.0;
   r.wo = vec3(wo.xy, abs(wo.z));
-  r.eta_o = below ? b.b.y : b.b.x;
-  r.eta_i = below ? b.b.x : b.b.y;
+  r.eta_o = below ? roughdielectric_int_ior(b) : roughdielectric_ext_ior(b);
+  r.eta_i = below ? roughdielectric_ext_ior(b) : roughdielectric_int_ior(b);
   return r;
 }
 
@@ -73,7 +64,7 @@ vec3 roughdielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) {
   float t = 1.0 - fresnel_dielectric(down.o_dot_h, r.eta_o, r.eta_i);
   float refracted = abs(down.i_dot_h) * down.o_dot_h * (r.eta_o * r.eta_o) * t * microfacet_d(down.h, r.m) / down.h2;
   float value = wi_up.z > 0.0 ? reflected : (down.valid ? refracted : 0.0);
-  return b.a.rgb * (value * (g / abs(wi.z)) / r.wo.z);
+  return roughdielectric_ka(b) * (value * (g / abs(wi.z)) / r.wo.z);
 }
 
 float roughdielectric_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
@@ -96,7 +87,7 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   BsdfSample s = bsdf_sample_none();
   if (HAS_FLAG(b.flags, BSDF_DELTA) && r.eta_o == r.eta_i) {
     float g = microfacet_g1(r.wo, r.m);
-    return BsdfSample(-wo, DELTA_PDF, b.a.rgb * (g * (g / microfacet_normalisation(r.wo, r.m))), 1.0);
+    return BsdfSample(-wo, DELTA_PDF, roughdielectric_ka(b) * (g * (g / microfacet_normalisation(r.wo, r.m))), 1.0);
   }
   vec3 wh = microfacet_sample_half_vector(r.wo, r.m, u);
   float c = dot3(r.wo, wh);
@@ -114,7 +105,7 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
   float share = reflects ? f / p : (1.0 - f) / (1.0 - p) * (e * e);
   bool valid = c > 0.0 && (reflects ? wi.z > 0.0 : wi.z < 0.0);
   float lobe_weight = share * microfacet_weight(wh, c, r.wo, vec3(wi.xy, abs(wi.z)), r.m);
-  s.weight = valid ? b.a.rgb * lobe_weight : vec3(0.0);
+  s.weight = valid ? roughdielectric_ka(b) * lobe_weight : vec3(0.0);
   s.eta2 = reflects ? 1.0 : 1.0 / (e * e);
   s.wi = vec3(wi.xy, wi.z * r.side);
   return s;

@@ -1,32 +1,23 @@
 /* roughsubstrate: a diffuse base under a rough dielectric coat (glossy paint, plastic).
 
-   | parameter | default  | meaning                                     |
-   |-----------|----------|---------------------------------------------|
-   | kd        | 0.5      | albedo of the base, colour or texture       |
-   | alpha     | 0.1      | roughness of the coat, 1e-4 to 1, number or texture |
-   | intIOR    | 1.5046   | index of refraction below the surface       |
-   | extIOR    | 1.000277 | index above                                 |
-   | distribution, masking | | of the coat's microfacets: see roughconductor |
-
    f = 28 kd/(23 pi) (1 - F0) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5) + D F G/(4 cos_i cos_o): the diffuse term of
    Ashikhmin and Shirley 2000, whose albedo is kd (1 - F0) (1 - (1 - cos_o/2)^5), and a rough lobe with the exact
-   dielectric Fresnel term. The lobe to sample is chosen by those albedos; the pdf is that of both together.
-   Record: a.rgb = kd, a.w = alpha, b.x = extIOR, b.y = intIOR, b.z = F0. */
+   dielectric Fresnel term. The lobe to sample is chosen by those albedos; the pdf is that of both together. */
 #include "../lib/coated.glsl"
 #include "../lib/fresnel.glsl"
 
 /// Probability of choosing the coat.
 float roughsubstrate_coat_probability(BsdfRecord b, vec3 wo) {
-  float base = mean3(b.a.rgb) * (1.0 - b.b.z) * coated_falloff(wo.z);
-  return coated_probability(fresnel_dielectric(wo.z, b.b.x, b.b.y), base);
+  float base = mean3(roughsubstrate_kd(b)) * (1.0 - roughsubstrate_f0(b)) * coated_falloff(wo.z);
+  return coated_probability(fresnel_dielectric(wo.z, roughsubstrate_ext_ior(b), roughsubstrate_int_ior(b)), base);
 }
 
 /// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either direction and h.
 vec3 roughsubstrate_value(BsdfRecord b, vec3 wo, vec3 wi, vec3 h, float c) {
   Microfacets m = microfacets_of(b);
   // 28/(23 pi)
-  vec3 base = b.a.rgb * (0.387507688 * (1.0 - b.b.z) * coated_falloff(wi.z) * coated_falloff(wo.z) * wi.z);
-  float coat = microfacet_d(h, m) * 0.25 * fresnel_dielectric(c, b.b.x, b.b.y) * microfacet_g(wi, wo, m) / wo.z;
+  vec3 base = roughsubstrate_kd(b) * (0.387507688 * (1.0 - roughsubstrate_f0(b)) * coated_falloff(wi.z) * coated_falloff(wo.z) * wi.z);
+  float coat = microfacet_d(h, m) * 0.25 * fresnel_dielectric(c, roughsubstrate_ext_ior(b), roughsubstrate_int_ior(b)) * microfacet_g(wi, wo, m) / wo.z;
   return base + vec3(coat);
 }
 

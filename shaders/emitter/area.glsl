@@ -1,10 +1,5 @@
 /* area: a mesh that emits from one side.
 
-   | parameter | default | meaning                                            |
-   |-----------|---------|----------------------------------------------------|
-   | radiance  | 1       | emitted radiance, W sr^-1 m^-2, colour or texture  |
-   | scale     | 1       | factor on it                                       |
-
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
    angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the probability of the triangle and A its area.
    It must not lie in the plane of another surface that it overlaps: rounding decides which of the two a ray meets. */

@@ -1,11 +1,5 @@
 /* environment: light from infinitely far away, constant or from a latitude-longitude image.
 
-   | parameter | default | meaning                                                        |
-   |-----------|---------|----------------------------------------------------------------|
-   | filename  | none    | latitude-longitude image (EXR, HDR, or sRGB: PNG, JPEG); without one the radiance is constant |
-   | radiance  | 1       | factor on the image divided by 255, or the constant radiance   |
-   | encoding  | msa     | `linear`: the image is not divided by 255                      |
-
    Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at image coordinates ((1-u) W, (1-v) H),
    bilinear: texel (i, j) has its value at coordinates (i, j), as in Nori; u wraps, v clamps. Sampled by the mean of the four
    texels around each cell [i, i+1) x [j, j+1) times the cell's solid angle, uniformly within it (docs/sampling.md).

@@ -1,10 +1,5 @@
 /* pointlight: light from a point, equal in all directions.
 
-   | parameter | default     | meaning                                              |
-   |-----------|-------------|------------------------------------------------------|
-   | position  | 0, 100, 0   | in the scene's space                                 |
-   | radiance  | 1           | radiant intensity, W sr^-1; falls off with 1/d^2     |
-
    No ray finds it: estimators that sample BSDFs alone do not see it. */
 #include "../lib/bindings.glsl"
 #include "../lib/emitter_sample.glsl"

@@ -1,5 +1,7 @@
 /* direct_ems, direct_mats, direct_mis, direct_whitted, whitted, path, path_mats, path_ems, path_nee, path_mis: light transport by
-   paths from the camera. The names differ in how direct light is estimated at each surface interaction,
+   paths from the camera.
+
+   The names differ in how direct light is estimated at each surface interaction,
 
    - ems, nee: by sampling an emitter;
    - mats: by sampling the BSDF;
@@ -7,11 +9,6 @@
    - whitted: by sampling every emitter; paths then go on at delta lobes (mirror, dielectric) alone,
 
    and in how many interactions there are: one for direct_*, `maxDepth` for the others. At a delta lobe, all of them follow the lobe.
-
-   | parameter | default | meaning                                                             |
-   |-----------|---------|---------------------------------------------------------------------|
-   | maxDepth  | -1      | surface interactions, -1: unlimited                                 |
-   | heuristic | balance | MIS weights: `balance` or `power` (beta = 2), Veach and Guibas 1995 |
 
    Emission that the camera sees directly is added once, unweighted. Russian roulette: docs/sampling.md. */
 #include "path_step.glsl"

@@ -1,10 +1,5 @@
 /* simple: light from a point of given energy on what the camera sees, whatever its material: Nori's first shading exercise.
 
-   | parameter | default | meaning                              |
-   |-----------|---------|--------------------------------------|
-   | position  | 0, 0, 0 | of the light, in the scene's space   |
-   | energy    | 1       | of the light, colour                 |
-
    energy/(4 pi^2) max(0, cos) / d^2 where the light is visible, cos being that to the shading normal. */
 #include "path_step.glsl"
 #include "../lib/surface.glsl"

@@ -2,14 +2,7 @@
 #ifndef FACET_BSDF_GLSL
 #define FACET_BSDF_GLSL
 #include "specialization.glsl"
-#include "../bsdf/dielectric.glsl"
-#include "../bsdf/diffuse.glsl"
-#include "../bsdf/fresnelblend.glsl"
-#include "../bsdf/microfacet.glsl"
-#include "../bsdf/mirror.glsl"
-#include "../bsdf/roughconductor.glsl"
-#include "../bsdf/roughdielectric.glsl"
-#include "../bsdf/roughsubstrate.glsl"
+#include "bsdf_models.glsl"
 
 /// True for the BSDF of this id; known when the kernel is specialised if the scene has none of it, or nothing else.
 #define IS_BSDF(b, id) ((BSDF_MASK & (1u << id)) != 0u && (BSDF_MASK == (1u << id) || b.type == id))

@@ -3,6 +3,7 @@
 #ifndef FACET_MICROFACET_GLSL
 #define FACET_MICROFACET_GLSL
 #include "beckmann.glsl"
+#include "bsdf_parameters.glsl"
 #include "ggx.glsl"
 #include "specialization.glsl"
 
@@ -11,7 +12,7 @@ struct Microfacets {
   uint flags;  // BSDF_GGX, BSDF_EXACT_MASKING
 };
 
-Microfacets microfacets_of(BsdfRecord b) { return Microfacets(b.a.w, b.flags); }
+Microfacets microfacets_of(BsdfRecord b) { return Microfacets(bsdf_roughness(b), b.flags); }
 
 /// Density D of a half vector of any length, sr^-1.
 float microfacet_d(vec3 h, Microfacets m) {

@@ -50,10 +50,10 @@ MeshRecord fetch_mesh(uint i) {
 }
 
 BsdfRecord fetch_bsdf(uint i) {
-  uvec4 s = bsdf_texel(4u * i);
-  uvec4 t = bsdf_texel(4u * i + 1u);
-  return BsdfRecord(s.x, s.y, s.z, s.w, t.x, t.y, t.z, t.w, uintBitsToFloat(bsdf_texel(4u * i + 2u)),
-                    uintBitsToFloat(bsdf_texel(4u * i + 3u)));
+  uvec4 s = bsdf_texel(5u * i);
+  uvec4 t = bsdf_texel(5u * i + 1u);
+  return BsdfRecord(s.x, s.y, s.z, s.w, t.x, t.y, t.z, t.w, uintBitsToFloat(bsdf_texel(5u * i + 2u)),
+                    uintBitsToFloat(bsdf_texel(5u * i + 3u)), uintBitsToFloat(bsdf_texel(5u * i + 4u)));
 }
 
 EmitterRecord fetch_emitter(uint i) {

@@ -75,8 +75,9 @@ FACET_CONSTANT uint ALBEDO_BECKMANN_RATIONAL = 0u;
 FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
 FACET_CONSTANT uint ALBEDO_GGX = 2u;
 
-/// A BSDF's parameters; what `a` and `b` hold is said in host/scene/bsdf and shaders/bsdf. A texture's value
-/// takes the place of the constant; NONE: none does.
+/// A BSDF's parameters. Where each lies in `a`, `b` and `c` follows from their declaration
+/// (host/render/pack/bsdf_record.h); shaders read them by functions named after them (roughsubstrate_kd).
+/// A texture's value takes the place of the constant; NONE: none does.
 struct BsdfRecord {
   uint type;  // id of bsdf_list.h
   uint flags;
@@ -88,6 +89,7 @@ struct BsdfRecord {
   uint unused2;
   vec4 a;
   vec4 b;
+  vec4 c;
 };
 
 /// A texture: a checker of two colours, or an image.
@@ -237,7 +239,7 @@ FACET_SHARED_END
 namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
-static_assert(sizeof(BsdfRecord) == 64 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 16);
+static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 16);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);

@@ -58,9 +58,8 @@ class FakeBackend : public TestableBackend {
 std::vector<TestCase> run_albedos(const std::vector<double>& references, double of_file,
                                   std::uint32_t seed = 1) {
   StatisticalTest test;
-  test.significance = of_file;
   test.bsdfs = {{bsdf::Diffuse{}, "one", {}}, {bsdf::Diffuse{}, "two", {}}};
-  test.kind = TTest{{0, 45}, references, 10000};
+  test.kind = TTest{{0, 45}, references, 10000, of_file};
   FakeBackend backend;
   backend.weight = 0;
   backend.weight_step = 0.2;

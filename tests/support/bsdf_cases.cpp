@@ -33,7 +33,7 @@ std::vector<RoughConductor> variants(const RoughConductor& /*type*/) {
   RoughConductor exact_multiscatter = multiscatter;
   exact_multiscatter.options = exact_masking;
   RoughConductor metal;
-  metal.ior = find_metal("Au");
+  metal.material = "Au";
   return {schlick, exact, multiscatter, metal, exact_multiscatter};
 }
 std::vector<RoughSubstrate> variants(const RoughSubstrate& /*type*/) {
@@ -61,6 +61,60 @@ std::vector<FresnelBlend> variants(const FresnelBlend& /*type*/) {
 }
 std::vector<RoughDielectric> variants(const RoughDielectric& /*type*/) {
   return {{all_reflectances, 0.1F, 1, 1.5F}, {Color(1), 0.1F, 1.5F, 1}, {Color(1), 0.1F, 1, 1.02F}};
+}
+
+/// Of a BSDF that nobody has thought of here: each variant has other values of every parameter.
+class Varying {
+ public:
+  explicit Varying(std::size_t variant) : variant_(variant) {}
+
+  void operator()(const char*, Textured<Color>& value, const parameter::Reflectance&, const char*) {
+    value = color();
+  }
+  void operator()(const char*, Color& value, const parameter::Reflectance&, const char*) {
+    value = color();
+  }
+  void operator()(const char*, float& value, const parameter::RefractiveIndex&, const char*) {
+    value = next({1, 1.5F, 1.02F, 2, 1.3F});
+  }
+  void operator()(const char*, float& value, const parameter::Between& kind, const char*) {
+    const auto least = static_cast<float>(kind.least);
+    const auto most = static_cast<float>(kind.most);
+    value = least + (most - least) * next({0.5F, 0, 1, 0.25F, 0.9F});
+  }
+  void operator()(const char*, bool& value, const parameter::Switch&, const char*) {
+    value = next({0, 1, 1, 0, 1}) > 0;
+  }
+  template <typename Value, typename Words>
+  void operator()(const char*, Value& value, const parameter::Choice<Words>& kind, const char*) {
+    value = kind.words.at((variant_ + count_++) % kind.words.size()).value;
+  }
+  /// Roughness is the cases' own; whatever else there is keeps its default.
+  template <typename Value, typename Kind>
+  void operator()(const char*, Value&, const Kind&, const char*) {}
+  template <typename Value>
+  void derived(const char*, const Value&) {}
+
+ private:
+  using Five = std::array<float, 5>;
+  float next(const Five& values) { return values[(variant_ + 2 * count_++) % values.size()]; }
+  Color color() {
+    const float x = next({0.5F, 0, 1, 0.2F, 0.8F});
+    return x == 0.5F ? all_reflectances : Color(x);
+  }
+
+  std::size_t variant_;
+  std::size_t count_ = 0;  ///< of parameters so far
+};
+
+template <typename T>
+std::vector<T> variants(const T& defaults) {
+  std::vector<T> list(5, defaults);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Varying vary(i);
+    T::declare(list[i], vary);
+  }
+  return list;
 }
 
 void set(float& parameter, float value) { parameter = value; }

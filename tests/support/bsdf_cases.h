@@ -1,9 +1,10 @@
 #pragma once
-// The parameters and directions that every BSDF of the shared list is tested with. A new one wants
-// an overload of `variants`, without which this does not compile.
+// The parameters and directions that every BSDF of the shared list is tested with. A new one is
+// tested with parameters that follow from their declaration; an overload of `variants` chooses others.
 #include <string>
 #include <vector>
 
+#include "render/pack/bsdf_record.h"
 #include "scene/bsdf/bsdf.h"
 #include "scene/settings.h"
 

@@ -1,5 +1,5 @@
 // Discrete choices by 32-bit words.
-#include "render/choice.h"
+#include "render/pack/choice.h"
 
 #include <gtest/gtest.h>
 

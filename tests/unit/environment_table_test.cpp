@@ -1,12 +1,12 @@
 // The sampling density of environment maps.
-#include "render/environment_table.h"
+#include "render/pack/environment_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "render/choice.h"
+#include "render/pack/choice.h"
 
 namespace facet {
 

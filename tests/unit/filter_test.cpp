@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/filter_table.h"
+#include "render/pack/filter_table.h"
 
 namespace facet {
 

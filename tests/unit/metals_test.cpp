@@ -6,7 +6,8 @@
 #include <array>
 #include <map>
 
-#include "scene/bsdf/roughconductor.h"
+#include "render/pack/bsdf_record.h"
+#include "scene/plugin/parameter_reader.h"
 #include "scene/xml/property_reader.h"
 #include "support/input.h"
 
@@ -122,7 +123,7 @@ class ConductorTest : public ::testing::Test {
     const XmlDocument xml(
         folder_.write("c.xml", "<bsdf type=\"roughconductor\">\n" + content + "\n</bsdf>"));
     PropertyReader properties(xml, xml.root(), [](const pugi::xml_node&, float) { return 0U; });
-    const auto conductor = bsdf::RoughConductor::read(properties);
+    const auto conductor = read_parameters<bsdf::RoughConductor>(properties);
     Diagnostics diagnostics;
     properties.finish(diagnostics);
     EXPECT_TRUE(diagnostics.warnings().empty());
@@ -142,20 +143,22 @@ const std::string k = "<color name=\"k\" value=\"0, 2, 3\"/>";
 
 TEST_F(ConductorTest, AMetalReplacesR0) {
   const auto conductor = read(gold + "<float name=\"alpha\" value=\"0.25\"/>");
-  ASSERT_TRUE(conductor.ior);
+  ASSERT_TRUE(conductor.ior());
   const ConductorIor expected = find_metal("Au").value();
-  const shared::BsdfRecord record = conductor.pack();
+  const shared::BsdfRecord record = pack_bsdf(conductor);
   EXPECT_EQ(record.flags, shared::BSDF_CONDUCTOR);
-  EXPECT_EQ(record.a, glm::vec4(expected.eta, 0.25F));
-  EXPECT_EQ(Color(record.b), expected.k);
-  EXPECT_EQ(read("").pack().flags, 0U);
+  EXPECT_EQ(record.a.w, 0.25F);
+  EXPECT_EQ(Color(record.b), expected.eta);
+  EXPECT_EQ(Color(record.c), expected.k);
+  EXPECT_EQ(pack_bsdf(read("")).flags, 0U);
 }
 
 TEST_F(ConductorTest, AnIndexIsGivenByNumbers) {
   const auto conductor = read(eta + k + "<boolean name=\"multiscatter\" value=\"true\"/>");
-  EXPECT_EQ(conductor.pack().a, glm::vec4(0.2F, 0.9F, 1.1F, 0.1F));
-  EXPECT_EQ(Color(conductor.pack().b), Color(0, 2, 3));
-  EXPECT_EQ(conductor.pack().flags, shared::BSDF_CONDUCTOR | shared::BSDF_MULTISCATTER);
+  const shared::BsdfRecord record = pack_bsdf(conductor);
+  EXPECT_EQ(Color(record.b), Color(0.2F, 0.9F, 1.1F));
+  EXPECT_EQ(Color(record.c), Color(0, 2, 3));
+  EXPECT_EQ(record.flags, shared::BSDF_CONDUCTOR | shared::BSDF_MULTISCATTER);
 }
 
 TEST_F(ConductorTest, UnknownMetalsAreErrors) {

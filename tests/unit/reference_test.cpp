@@ -7,7 +7,7 @@
 #include "reference/choice.h"
 #include "reference/filter.h"
 #include "reference/intersect.h"
-#include "render/choice.h"
+#include "render/pack/choice.h"
 #include "support/scenes.h"
 
 namespace facet::test {

@@ -51,7 +51,7 @@ class TestReaderTest : public ::testing::Test {
 TEST_F(TestReaderTest, DefaultsOfTheChiSquaredTest) {
   const StatisticalTest test =
       read("chi2test", "<bsdf type=\"diffuse\"/>\n<bsdf type=\"mirror\"/>\n");
-  EXPECT_EQ(test.significance, 0.01);
+  EXPECT_EQ(test.significance(), 0.01);
   const auto& chi = std::get<ChiSquaredTest>(test.kind);
   EXPECT_EQ(chi.resolution, 10);
   EXPECT_EQ(chi.least_expected, 5);
@@ -71,7 +71,7 @@ TEST_F(TestReaderTest, PropertiesOfTheChiSquaredTest) {
       "<integer name=\"minExpFrequency\" value=\"9\"/><integer name=\"sampleCount\" "
       "value=\"1000\"/>"
       "<integer name=\"testCount\" value=\"3\"/><bsdf type=\"diffuse\"/>");
-  EXPECT_EQ(test.significance, 0.05);
+  EXPECT_EQ(test.significance(), 0.05);
   const auto& chi = std::get<ChiSquaredTest>(test.kind);
   EXPECT_EQ(chi.resolution, 7);
   EXPECT_EQ(chi.least_expected, 9);
@@ -86,7 +86,7 @@ TEST_F(TestReaderTest, ListsAreSplitAtBlanksAndCommas) {
   EXPECT_EQ(t.angles, (std::vector<double>{0, 45}));
   EXPECT_EQ(t.references, (std::vector<double>{1, 2, 3, 4}));
   EXPECT_EQ(t.sample_count, 100000);
-  EXPECT_EQ(test.significance, 0.01);
+  EXPECT_EQ(test.significance(), 0.01);
   EXPECT_EQ(test.case_count(), 4U);
 }
 

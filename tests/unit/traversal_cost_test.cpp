@@ -7,7 +7,7 @@
 
 #include "accel/binary_bvh.h"
 #include "bench/mesh.h"
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 #include "support/render.h"
 #include "support/spirv.h"
 

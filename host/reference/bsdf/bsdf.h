@@ -2,14 +2,7 @@
 // Dispatch over the BSDFs of the shared list, and the guard that needs none of their sampling code.
 #include <variant>
 
-#include "reference/bsdf/dielectric.h"
-#include "reference/bsdf/diffuse.h"
-#include "reference/bsdf/fresnelblend.h"
-#include "reference/bsdf/microfacet.h"
-#include "reference/bsdf/mirror.h"
-#include "reference/bsdf/roughconductor.h"
-#include "reference/bsdf/roughdielectric.h"
-#include "reference/bsdf/roughsubstrate.h"
+#include "generated/reference_bsdfs.h"
 #include "scene/bsdf/bsdf.h"
 
 namespace facet::reference {

@@ -20,7 +20,7 @@ class RoughConductor {
         microfacets_(alpha_, p.options, sampling),
         options_(p.options),
         multiscatter_(p.multiscatter),
-        ior_(p.ior) {}
+        ior_(p.ior()) {}
 
   [[nodiscard]] bool delta() const { return false; }
 

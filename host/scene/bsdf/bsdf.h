@@ -4,14 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "scene/bsdf/dielectric.h"
-#include "scene/bsdf/diffuse.h"
-#include "scene/bsdf/fresnelblend.h"
-#include "scene/bsdf/microfacet.h"
-#include "scene/bsdf/mirror.h"
-#include "scene/bsdf/roughconductor.h"
-#include "scene/bsdf/roughdielectric.h"
-#include "scene/bsdf/roughsubstrate.h"
+#include "generated/scene_bsdfs.h"
 #include "shared/bsdf_list.h"
 
 namespace facet {
@@ -41,13 +34,5 @@ inline constexpr std::array bsdf_type_names{
     FACET_BSDF_LIST(FACET_NAME)
 #undef FACET_NAME
 };
-
-/// The record that the kernels read.
-[[nodiscard]] inline shared::BsdfRecord pack_bsdf(const Bsdf& b) {
-  shared::BsdfRecord record =
-      std::visit([](const auto& parameters) { return parameters.pack(); }, b);
-  record.type = static_cast<std::uint32_t>(b.index());
-  return record;
-}
 
 }  // namespace facet

@@ -5,11 +5,16 @@ namespace facet::bsdf {
 
 /// A smooth interface between two dielectrics; manual in shaders/bsdf/dielectric.glsl.
 struct Dielectric {
-  float ext_ior = 1.000277F;
-  float int_ior = 1.5046F;
+  float ext_ior = index_of_air;
+  float int_ior = index_of_glass;
 
-  static Dielectric read(PropertyReader& properties);
-  [[nodiscard]] shared::BsdfRecord pack() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
+    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+  }
+  [[nodiscard]] static std::uint32_t flags() { return shared::BSDF_DELTA | shared::BSDF_TRANSMITS; }
 };
 
 }  // namespace facet::bsdf

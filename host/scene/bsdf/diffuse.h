@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/bsdf/rough.h"
+#include "scene/plugin/parameter.h"
 
 namespace facet::bsdf {
 
@@ -7,8 +7,10 @@ namespace facet::bsdf {
 struct Diffuse {
   Textured<Color> albedo{Color(0.5F)};
 
-  static Diffuse read(PropertyReader& properties);
-  [[nodiscard]] shared::BsdfRecord pack() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    visit("albedo", p.albedo, parameter::Reflectance{}, "share of light that is reflected");
+  }
 };
 
 }  // namespace facet::bsdf

@@ -11,8 +11,14 @@ struct FresnelBlend {
   Textured<float> alpha{0.1F};
   MicrofacetOptions options{};
 
-  static FresnelBlend read(PropertyReader& properties);
-  [[nodiscard]] shared::BsdfRecord pack() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    visit("Rd", p.rd, Reflectance{}, "reflectance of the base");
+    visit("Rs", p.rs, Reflectance{}, "reflectance of the coat at normal incidence");
+    visit("alpha", p.alpha, Roughness{}, "roughness of the coat");
+    MicrofacetOptions::declare(p.options, visit);
+  }
 };
 
 }  // namespace facet::bsdf

@@ -6,13 +6,20 @@ namespace facet::bsdf {
 /// Nori's rough plastic; manual in shaders/bsdf/microfacet.glsl.
 struct Microfacet {
   float alpha = 0.1F;
-  float ext_ior = 1.000277F;
-  float int_ior = 1.5046F;
+  float ext_ior = index_of_air;
+  float int_ior = index_of_glass;
   Color kd{0.5F};
   MicrofacetOptions options{};
 
-  static Microfacet read(PropertyReader& properties);
-  [[nodiscard]] shared::BsdfRecord pack() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    visit("kd", p.kd, Reflectance{}, "albedo of the base; the coat has 1 - max(kd)");
+    visit("alpha", p.alpha, Roughness{}, "roughness of the coat");
+    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
+    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+    MicrofacetOptions::declare(p.options, visit);
+  }
 };
 
 }  // namespace facet::bsdf

@@ -2,40 +2,34 @@
 // What the rough BSDFs have in common.
 #include <facet/request.h>
 
-#include "core/maths.h"
-#include "scene/texture/textured.h"
+#include "scene/plugin/parameter.h"
 #include "shared/records.h"
-
-namespace facet {
-class PropertyReader;
-}
 
 namespace facet::bsdf {
 
 /// Distribution of the microfacets' normals.
 enum class Distribution { beckmann, ggx };
 
-/* Properties of every rough BSDF:
+inline constexpr std::array distribution_words{Word{Distribution::beckmann, "beckmann"},
+                                               Word{Distribution::ggx, "ggx"}};
 
-   | parameter    | default  | meaning                                                         |
-   |--------------|----------|-----------------------------------------------------------------|
-   | distribution | beckmann | `beckmann` or `ggx`                                             |
-   | masking      | rational | of Beckmann: `rational` (Walter et al. 2007, as in the lab) or `exact` |
-*/
+/// Parameters of every rough BSDF.
 struct MicrofacetOptions {
   Distribution distribution = Distribution::beckmann;
   Masking masking = Masking::rational;
 
-  static MicrofacetOptions read(PropertyReader& properties);
-  /// Flags of the record.
-  [[nodiscard]] std::uint32_t flags() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    visit("distribution", p.distribution, Choice{distribution_words, shared::BSDF_GGX},
+          "of the microfacets' normals");
+    visit("masking", p.masking, Choice{masking_words, shared::BSDF_EXACT_MASKING},
+          "of Beckmann: Walter et al. 2007, within 0.35 %, or exact");
+  }
 };
 
-/// A record without textures.
-[[nodiscard]] inline shared::BsdfRecord empty_record() {
-  shared::BsdfRecord r{};
-  r.texture_a = r.texture_b = r.texture_alpha = shared::NONE;
-  return r;
-}
+/// Indices of refraction of air and of a common glass (BK7).
+inline constexpr float index_of_air = 1.000277F;
+inline constexpr float index_of_glass = 1.5046F;
 
 }  // namespace facet::bsdf

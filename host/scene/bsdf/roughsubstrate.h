@@ -7,12 +7,26 @@ namespace facet::bsdf {
 struct RoughSubstrate {
   Textured<Color> kd{Color(0.5F)};
   Textured<float> alpha{0.1F};
-  float ext_ior = 1.000277F;
-  float int_ior = 1.5046F;
+  float ext_ior = index_of_air;
+  float int_ior = index_of_glass;
   MicrofacetOptions options{};
 
-  static RoughSubstrate read(PropertyReader& properties);
-  [[nodiscard]] shared::BsdfRecord pack() const;
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    using namespace parameter;
+    visit("kd", p.kd, Reflectance{}, "albedo of the base");
+    visit("alpha", p.alpha, Roughness{}, "roughness of the coat");
+    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
+    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+    MicrofacetOptions::declare(p.options, visit);
+    visit.derived("f0", p.normal_reflectance());
+  }
+  /// The coat's reflectance at normal incidence.
+  [[nodiscard]] float normal_reflectance() const {
+    const double root =
+        (static_cast<double>(ext_ior) - int_ior) / (static_cast<double>(ext_ior) + int_ior);
+    return static_cast<float>(root * root);
+  }
 };
 
 }  // namespace facet::bsdf

@@ -1,13 +1,13 @@
 #include "image/files.h"
+#include "scene/emitter/parameters.h"
 #include "scene/emitter/readers.h"
+#include "scene/plugin/parameter_reader.h"
 #include "scene/texture/color_map.h"
 
 namespace facet {
 
 EnvironmentEmitter read_environment_emitter(PropertyReader& properties, Diagnostics& diagnostics) {
-  const std::string filename = properties.string("filename", "");
-  const Color radiance = properties.radiance("radiance", Color(1));
-  const bool linear = properties.choice("encoding", {"msa", "linear"}) == "linear";
+  const auto [filename, radiance, encoding] = read_parameters<EnvironmentParameters>(properties);
   if (filename.empty()) return {1, 1, {radiance}};
   const std::filesystem::path path = properties.xml().path().parent_path() / filename;
   ColorImage map;
@@ -18,7 +18,7 @@ EnvironmentEmitter read_environment_emitter(PropertyReader& properties, Diagnost
   }
   // The lab's renderer divides the map by 255 whatever it holds; its scenes make up for it in
   // `radiance`.
-  const Color factor = linear ? radiance : radiance / 255.0F;
+  const Color factor = encoding == Encoding::linear ? radiance : radiance / 255.0F;
   scale_and_clamp(map, factor, path, properties.location(), diagnostics);
   return {map.width, map.height, std::move(map.pixels)};
 }

@@ -9,15 +9,20 @@ namespace facet {
 
 /* obj: triangles and polygons of a Wavefront OBJ file.
 
-   | parameter | default  | meaning                        |
-   |-----------|----------|--------------------------------|
-   | filename  |          | relative to the scene file     |
-   | toWorld   | identity | from the file's space to the scene's |
-
    Holds a bsdf and, where it shines, an `area` emitter. Vertex normals and texture coordinates are
    used where a triangle has them. Without a bsdf the file's own materials (mtllib) stand in for
    one, by their diffuse colour (Kd) and texture (map_Kd, decoded from sRGB) alone; each material
    then makes a mesh. Without these the bsdf is `diffuse`. */
+struct ObjParameters {
+  std::string filename;
+  dmat4 to_world{1};
+
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    visit("filename", p.filename, parameter::File{.required = true}, "relative to the scene file");
+    visit("toWorld", p.to_world, parameter::Transform{}, "from the file's space to the scene's");
+  }
+};
 
 /// Reads the triangles and polygons of a file (polygons are triangulated; negative indices, and
 /// vertices without normals or texture coordinates, are fine), places them in the world by

@@ -4,28 +4,21 @@
 
 #include "core/text.h"
 #include "image/files.h"
+#include "scene/plugin/parameter_reader.h"
 #include "scene/plugins.h"
 #include "scene/texture/color_map.h"
+#include "scene/texture/parameters.h"
 
 namespace facet {
 
 namespace {
 
 CheckerTexture read_checker(PropertyReader& p) {
-  CheckerTexture t;
-  t.scale_x = p.integer("scalex", 1, 1, 1 << 20);
-  t.scale_y = p.integer("scaley", 1, 1, 1 << 20);
-  if (p.has("color")) t.first = t.second = p.radiance("color", t.first);
-  t.first = p.radiance("color1", t.first);
-  t.second = p.radiance("color2", t.second);
-  return t;
-}
-
-float read_scale(PropertyReader& p, const std::string& name) {
-  const double scale = p.number(name, 1);
-  if (!(std::abs(scale) <= 1 << 20))
-    p.fail(name, fmt::format("is {:g}, but must be -1048576 to 1048576", scale));
-  return static_cast<float>(scale);
+  const auto given = read_parameters<CheckerParameters>(p);
+  const CheckerTexture defaults;
+  return {given.first.value_or(given.both.value_or(defaults.first)),
+          given.second.value_or(given.both.value_or(defaults.second)), given.scale_x,
+          given.scale_y};
 }
 
 /// Bytes stay bytes; more bits become floats.
@@ -61,14 +54,13 @@ void load_texels(const std::filesystem::path& path, const SourceLocation& where,
 }
 
 BitmapTexture read_bitmap(PropertyReader& p, Diagnostics& diagnostics) {
+  const auto given = read_parameters<TextmapParameters>(p);
   BitmapTexture t;
-  const std::string filename = p.string("filename", "");
-  if (filename.empty()) p.fail("filename", "is missing");
-  t.factor = p.radiance("color", Color(1));
-  t.scale_x = read_scale(p, "scalex");
-  t.scale_y = read_scale(p, "scaley");
-  t.srgb = p.boolean("srgb", false);
-  const std::filesystem::path path = p.xml().path().parent_path() / filename;
+  t.factor = given.factor;
+  t.scale_x = given.scale_x;
+  t.scale_y = given.scale_y;
+  t.srgb = given.srgb;
+  const std::filesystem::path path = p.xml().path().parent_path() / given.filename;
   try {
     load_texels(path, p.location(), diagnostics, t);
   } catch (const InputError& e) {

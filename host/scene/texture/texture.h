@@ -10,12 +10,7 @@ namespace facet {
 
 /* checker: cells of two colours.
 
-   | parameter      | default  | meaning                                                  |
-   |----------------|----------|----------------------------------------------------------|
-   | scalex, scaley | 1        | cells per unit of u and v, whole numbers                 |
-   | color          |          | colour of both cells                                     |
-   | color1, color2 | 0.9, 0.1 | colour of the cells where floor(u scalex) + floor(v scaley) is even; odd |
-*/
+   A cell is odd where one of floor(u scalex) and floor(v scaley) is odd, and the other is not. */
 struct CheckerTexture {
   Color first{0.9F};
   Color second{0.1F};
@@ -25,13 +20,6 @@ struct CheckerTexture {
 
 /* textmap: an image (PNG, JPEG, OpenEXR or Radiance HDR, told apart by its bytes), bilinear,
    repeating.
-
-   | parameter      | default | meaning                                                              |
-   |----------------|---------|----------------------------------------------------------------------|
-   | filename       |         | relative to the scene file                                           |
-   | color          | 1       | factor on the image                                                  |
-   | scalex, scaley | 1       | images per unit of u and v                                           |
-   | srgb           | false   | decode sRGB; else a texel is its bytes over 255, as in Nori          |
 
    Samples of 16 bits are taken over 65535; OpenEXR and HDR hold values, which are taken as they
    are. (u, v) looks up texel ((1 - u) W, (1 - v) H), row 0 being the top one. */

@@ -17,6 +17,11 @@ namespace facet {
 
 /// Radiances beyond this would overflow on their way to the film.
 inline constexpr float largest_radiance = 1e30F;
+/// Below it a surface is as good as smooth, which is a model of its own.
+inline constexpr double least_roughness = 1e-4;
+/// Of an index of refraction.
+inline constexpr double least_index = 0.001;
+inline constexpr double largest_index = 1000;
 
 /// Reads a <texture> into the scene; returns its index. Throws InputError where a value lies beyond
 /// `most`.
@@ -67,10 +72,16 @@ class PropertyReader {
   float index_of_refraction(const std::string& name, float fallback);
   /// One of the words.
   std::string choice(const std::string& name, const std::vector<std::string>& words);
-  /// real() within bounds.
+  /// real() within bounds, themselves included.
   double real_between(const std::string& name, double fallback, double least, double most);
-  /// real() above a bound.
-  double real_above(const std::string& name, double fallback, double bound);
+  /// real() within bounds, themselves excluded.
+  double real_inside(const std::string& name, double fallback, double least, double most);
+  /// real() not below a bound.
+  double real_at_least(const std::string& name, double fallback, double bound);
+  /// number() of a magnitude up to `most`.
+  double number_within(const std::string& name, double fallback, double most);
+  /// A <string> of numbers between commas and blanks; empty where the object has none.
+  std::vector<double> numbers(const std::string& name);
 
   /// Child objects with this tag, in order.
   std::vector<pugi::xml_node> children(const std::string& tag);
@@ -87,6 +98,9 @@ class PropertyReader {
  private:
   /// The property's node if it is there; an error if its tag is not the given one.
   std::optional<pugi::xml_node> find(const std::string& name, const std::string& tag);
+  /// Throws InputError, with the value and what it must do, unless the condition holds.
+  void require(bool condition, const std::string& name, double value,
+               const std::string& what) const;
   void check_property(const pugi::xml_node& property) const;
   /// A property that is given as a texture, too, or only could be one elsewhere, is an error.
   void check_textures(const std::string& name) const;

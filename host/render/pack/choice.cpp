@@ -1,4 +1,4 @@
-#include "render/choice.h"
+#include "render/pack/choice.h"
 
 #include <algorithm>
 #include <cmath>

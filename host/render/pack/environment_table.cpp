@@ -1,10 +1,10 @@
-#include "render/environment_table.h"
+#include "render/pack/environment_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "render/choice.h"
+#include "render/pack/choice.h"
 
 namespace facet {
 

@@ -1,4 +1,4 @@
-#include "render/texture_table.h"
+#include "render/pack/texture_table.h"
 
 #include <algorithm>
 #include <bit>

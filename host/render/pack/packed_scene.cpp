@@ -1,4 +1,4 @@
-#include "render/packed_scene.h"
+#include "render/pack/packed_scene.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,8 +7,9 @@
 
 #include "core/clock.h"
 #include "core/parallel.h"
-#include "render/choice.h"
-#include "render/texture_table.h"
+#include "render/pack/bsdf_record.h"
+#include "render/pack/choice.h"
+#include "render/pack/texture_table.h"
 #include "scene/bsdf/albedo_table.h"
 
 namespace facet {

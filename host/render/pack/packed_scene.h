@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "accel/bvh.h"
-#include "render/environment_table.h"
 #include "render/features.h"
-#include "render/filter_table.h"
+#include "render/pack/environment_table.h"
+#include "render/pack/filter_table.h"
 #include "scene/settings.h"
 
 namespace facet {

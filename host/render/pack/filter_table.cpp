@@ -1,4 +1,4 @@
-#include "render/filter_table.h"
+#include "render/pack/filter_table.h"
 
 #include <cmath>
 
