@@ -2,6 +2,7 @@
 // a reason.
 #include "support/parity.h"
 
+#include "support/bsdf_cases.h"
 #include "support/scenes.h"
 
 namespace facet::test {
@@ -49,12 +50,9 @@ std::vector<std::string> integrator_names() {
 INSTANTIATE_TEST_SUITE_P(Parity, EachIntegrator, ::testing::ValuesIn(integrator_names()),
                          test_name);
 
-/// Conductor, substrate and diffuse balls under two lights of unequal power and a constant sky.
-Scene busy_scene() {
+/// Three balls under two lights of unequal power and a constant sky.
+Scene scene_of_balls(const std::array<Bsdf, 3>& bsdfs) {
   Scene scene = make_scene("path_mis");
-  const std::array<Bsdf, 3> bsdfs{bsdf::RoughConductor{Color(0.9F, 0.6F, 0.2F), 0.05F},
-                                  bsdf::RoughSubstrate{Color(0.3F, 0.2F, 0.7F), 0.2F},
-                                  bsdf::Diffuse{Color(0.5F, 0.7F, 0.3F)}};
   for (std::size_t i = 0; i < bsdfs.size(); ++i) {
     Mesh ball = make_sphere(3, false);
     transform(ball, 0.4F, {static_cast<float>(i) - 1, -0.2F, 0.3F});
@@ -70,6 +68,27 @@ Scene busy_scene() {
   set_camera(scene, 48, 70, {0, 0.3, -2}, {0, -0.2, 0.5});
   return scene;
 }
+
+Scene busy_scene() {
+  return scene_of_balls({bsdf::RoughConductor{Color(0.9F, 0.6F, 0.2F), 0.05F},
+                         bsdf::RoughSubstrate{Color(0.3F, 0.2F, 0.7F), 0.2F},
+                         bsdf::Diffuse{Color(0.5F, 0.7F, 0.3F)}});
+}
+
+class EachBsdf : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(EachBsdf, holds_for_some_of_its_parameters) {
+  // From the middle of the roughnesses: at both ends few samples find the light.
+  const std::vector<BsdfCase> cases = bsdf_cases(GetParam());
+  const auto at = [&](std::size_t i) { return cases[(3 + i) % cases.size()].bsdf; };
+  const Scene scene = scene_of_balls({at(0), at(1), at(cases.size() / 4)});
+  expect_parity(scene, whole_image(scene, 4));
+}
+
+INSTANTIATE_TEST_SUITE_P(Parity, EachBsdf, testing::Range<std::size_t>(0, bsdf_type_names.size()),
+                         [](const auto& tested) {
+                           return std::string(bsdf_type_names[tested.param]);
+                         });
 
 TEST(Parity, holds_for_every_choice_of_the_estimator) {
   Scene scene = busy_scene();
