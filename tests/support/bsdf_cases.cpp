@@ -99,7 +99,8 @@ class Varying {
   using Five = std::array<float, 5>;
   float next(const Five& values) { return values[(variant_ + 2 * count_++) % values.size()]; }
   Color color() {
-    const float x = next({0.5F, 0, 1, 0.2F, 0.8F});
+    // Not black: a sample without weight counts as rejected.
+    const float x = next({0.5F, 0.1F, 1, 0.2F, 0.8F});
     return x == 0.5F ? all_reflectances : Color(x);
   }
 
