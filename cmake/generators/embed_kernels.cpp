@@ -5,7 +5,8 @@
 // Without the decoration drivers reassociate and fuse float operations, each in its own way, and
 // images differ between them. GLSL's `precise` does not reach into called functions, so it is done
 // here, on the finished SPIR-V. GLSL has no word for two bindings of one memory
-// (shaders/lib/records.glsl), which SPIR-V forbids undeclared.
+// (shaders/shared/binding_list.h), which SPIR-V forbids undeclared.
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -21,11 +22,18 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
+enum class Kind { scene, uniform, state, storage };
+
 /// Whether a binding is of records that kernels write as storage and read as texels.
 bool is_bound_twice(std::uint32_t binding) {
-  using namespace facet::shared;
-  return (binding >= BINDING_RAYS && binding <= BINDING_FILM_SQUARES) ||
-         (binding >= BINDING_RAY_TEXELS && binding <= BINDING_FILM_SQUARES_TEXELS);
+  using enum Kind;
+  constexpr std::array kinds{
+#define FACET_KIND(number, kind, names, name, Record) kind,
+      FACET_BINDING_LIST(FACET_KIND)
+#undef FACET_KIND
+  };
+  const std::uint32_t number = binding % facet::shared::BINDING_TEXELS;
+  return number < kinds.size() && kinds.at(number) == state;
 }
 
 /// Float arithmetic, all of which NoContraction may decorate.

@@ -1,5 +1,6 @@
-// Build tool: writes the GLSL functions by which shaders read the parameters of BSDFs, from the
-// declarations in host/scene/bsdf.
+// Build tool: writes the GLSL macros by which shaders read the parameters of BSDFs, from the
+// declarations in host/scene/bsdf. (Functions would be calls, which drivers take their time to
+// inline.)
 //     make_bsdf_accessors OUT.glsl
 // The parameter intIOR of roughsubstrate is roughsubstrate_int_ior(b).
 #include <cctype>
@@ -23,26 +24,25 @@ std::string snake_case(const std::string& name) {
   return text;
 }
 
-/// Writes a function for each parameter of one BSDF.
+/// Writes a macro for each parameter of one BSDF.
 struct AccessorWriter {
   std::ostream& out;
   std::string bsdf;
 
   void color(const char* name, facet::RecordPlace place, const facet::Color& /*value*/,
              std::uint32_t /*texture*/) const {
-    write("vec3", name, row(place) + ".rgb");
+    write(name, row(place) + ".rgb");
   }
   void number(const char* name, facet::RecordPlace place, float /*value*/,
               std::uint32_t /*texture*/) const {
-    write("float", name, row(place) + "." + "xyzw"[place.component]);
+    write(name, row(place) + "." + "xyzw"[place.component]);
   }
   void flag(std::uint32_t /*bit*/, bool /*is_set*/) const {}
 
  private:
-  static std::string row(facet::RecordPlace place) { return std::string("b.") + "abc"[place.row]; }
-  void write(const char* type, const char* name, const std::string& value) const {
-    out << type << ' ' << bsdf << '_' << snake_case(name) << "(BsdfRecord b) { return " << value
-        << "; }\n";
+  static std::string row(facet::RecordPlace place) { return std::string(1, "abc"[place.row]); }
+  void write(const char* name, const std::string& value) const {
+    out << "#define " << bsdf << '_' << snake_case(name) << "(b) ((b)." << value << ")\n";
   }
 };
 
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     std::ofstream out(argv[1], std::ios::binary);
     out << "// The parameters of BSDFs, as host/scene/bsdf declares them.\n"
            "#ifndef FACET_BSDF_PARAMETERS_GLSL\n#define FACET_BSDF_PARAMETERS_GLSL\n\n"
-           "/// Of every rough BSDF.\nfloat bsdf_roughness(BsdfRecord b) { return b.a.w; }\n\n";
+           "/// Of every rough BSDF.\n#define bsdf_roughness(b) ((b).a.w)\n\n";
 #define FACET_ACCESSORS(name, Type, id) write_accessors<facet::bsdf::Type>(#name, out);
     FACET_BSDF_LIST(FACET_ACCESSORS)
 #undef FACET_ACCESSORS

@@ -232,12 +232,9 @@ void check_node_count(std::size_t nodes, std::size_t triangles) {
 
 }  // namespace
 
-std::array<vec3, 4> Bvh::corners(std::size_t item) const {
-  return std::bit_cast<std::array<vec3, 4>>(items[item]);
-}
-
-TriangleCorners Bvh::triangle(std::uint32_t place) const {
-  const std::array<vec3, 4> c = corners(place / 2);
+TriangleCorners triangle_at(std::uint32_t place, std::span<const shared::BvhItem> items,
+                            std::span<const shared::PairRecord> pairs) {
+  const auto c = std::bit_cast<std::array<vec3, 4>>(items[place / 2]);
   const std::uint32_t name = place % 2 == 0 ? pairs[place / 2].name0 : pairs[place / 2].name1;
   const std::uint32_t vertices = name >> shared::NAME_INDEX_BITS;
   return {c[vertices & 3U], c[vertices >> 2U & 3U], c[vertices >> 4U]};

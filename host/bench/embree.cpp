@@ -116,7 +116,7 @@ class Embree final : public Yardstick {
     if (positions == nullptr || indices == nullptr)
       throw DeviceError("Embree has no memory for the triangles");
     for (std::size_t i = 0; i < count; ++i) {
-      for (const vec3& corner : packed.bvh.triangle(packed.bvh.places[i])) {
+      for (const vec3& corner : packed.triangle(packed.bvh.places[i])) {
         for (int a = 0; a < 3; ++a) *positions++ = corner[a];
       }
       for (std::size_t k = 0; k < 3; ++k)

@@ -43,7 +43,7 @@ class RayMaker {
   explicit RayMaker(const PackedScene& packed) : packed_(packed) {}
 
   [[nodiscard]] Place place_of(const RayRecord& ray, const shared::HitRecord& hit) const {
-    const auto [a, b, c] = packed_.bvh.triangle(hit.triangle);
+    const auto [a, b, c] = packed_.triangle(hit.triangle);
     vec3 n = glm::normalize(glm::cross(b - a, c - a));
     if (glm::dot(n, vec3(ray.direction)) > 0) n = -n;
     const vec3 p = (1 - hit.b1 - hit.b2) * a + hit.b1 * b + hit.b2 * c;
@@ -65,7 +65,7 @@ class RayMaker {
         std::min(count - 1, static_cast<std::size_t>(u.z * static_cast<float>(count)));
     const shared::EmitterTriangle& triangle = packed_.emitter_triangles[chosen];
     if (!(triangle.density > 0)) return std::nullopt;
-    const auto [a, b, c] = packed_.bvh.triangle(triangle.triangle);
+    const auto [a, b, c] = packed_.triangle(triangle.triangle);
     const float root = std::sqrt(u.x);
     const vec3 d = (1 - root) * a + root * (1 - u.y) * b + root * u.y * c - at.position;
     if (glm::dot(d, at.normal) <= 0 || glm::dot(d, glm::cross(b - a, c - a)) >= 0)

@@ -118,8 +118,7 @@ class Contest {
 /// Builds both trees afresh in turn. Each was built before.
 BuildRow measure_builds(const PackedScene& packed, Yardstick* yardstick, int repeats) {
   std::vector<TriangleCorners> triangles;
-  for (const std::uint32_t place : packed.bvh.places)
-    triangles.push_back(packed.bvh.triangle(place));
+  for (const std::uint32_t place : packed.bvh.places) triangles.push_back(packed.triangle(place));
   std::vector<double> own;
   std::vector<double> other;
   for (int round = 0; round < std::min(repeats, 3); ++round) {

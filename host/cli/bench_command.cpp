@@ -63,8 +63,7 @@ std::size_t parse_count(const std::string& text) {
 
 class BenchJob {
  public:
-  explicit BenchJob(const BenchOptions& options)
-      : options_(options), instance_(false), device_(instance_, instance_.choose(options.device)) {
+  explicit BenchJob(const BenchOptions& options) : options_(options), device_(options.device) {
     report_.device = device_.info().name;
     report_.driver = device_.info().driver;
   }
@@ -140,7 +139,6 @@ class BenchJob {
   }
 
   const BenchOptions& options_;
-  gpu::Instance instance_;
   gpu::Device device_;
   report::BenchReport report_;
 };

@@ -6,27 +6,24 @@
 #include "core/text.h"
 #include "gpu/device.h"
 #include "gpu/kernel_cache.h"
-#include "gpu/requirements.h"
 
 namespace facet::cli {
 
 namespace {
 
 ExitCode list_devices() {
-  const gpu::Instance instance(false);
-  const std::vector<gpu::DeviceInfo> devices = instance.devices();
+  const std::vector<gpu::DeviceInfo> devices = gpu::list_devices();
   for (const gpu::DeviceInfo& d : devices) {
     put("{}: {}\n", d.index, d.name);
-    put("   {}, {}, Vulkan {}.{}.{}, {}B of device memory\n", d.kind, d.driver,
-        VK_API_VERSION_MAJOR(d.api_version), VK_API_VERSION_MINOR(d.api_version),
-        VK_API_VERSION_PATCH(d.api_version), with_unit_prefix(static_cast<double>(d.memory_bytes)));
+    put("   {}, {}, Vulkan {}, {}B of device memory\n", d.kind, d.driver, d.vulkan_version,
+        with_unit_prefix(static_cast<double>(d.memory_bytes)));
     put("   {}\n", d.lacks.empty() ? "has everything facet needs"
                                    : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
     const std::string cache = gpu::describe_kernel_cache(d.driver);
     if (!cache.empty()) put("   {}\n", cache);
   }
   put("facet needs: {}\n", fmt::join(gpu::requirement_names(), ", "));
-  const gpu::DeviceInfo chosen = instance.choose("");
+  const gpu::DeviceInfo chosen = gpu::choose_device(devices, "");
   const char* why = devices.size() == 1
                         ? "the only device"
                         : "the first of the best kind: discrete, then integrated, virtual, CPU";

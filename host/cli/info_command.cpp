@@ -88,11 +88,11 @@ ExitCode print_info(const InfoOptions& options) {
   if (has_integrator) warn_about_render(scene, settings, diagnostics);
   print_warnings(diagnostics);
   const PackedScene packed = pack_scene(scene, settings);
-  const std::size_t geometry = bytes_of(packed.bvh.items) + bytes_of(packed.bvh.pairs) +
+  const std::size_t geometry = bytes_of(packed.items) + bytes_of(packed.pairs) +
                                bytes_of(packed.normal_indices) + bytes_of(packed.normals) +
                                bytes_of(packed.texcoord_indices) + bytes_of(packed.texcoords);
-  const std::size_t rest = bytes_of(packed.environment.texels) + bytes_of(packed.environment.rows) +
-                           bytes_of(packed.environment.columns) +
+  const std::size_t rest = bytes_of(packed.environment_texels) + bytes_of(packed.environment_rows) +
+                           bytes_of(packed.environment_columns) +
                            bytes_of(packed.emitter_triangles) + bytes_of(packed.texels);
   put("{}: {} x {} pixels, {} samples ({}), {}\n", options.scene, scene.camera.width,
       scene.camera.height, scene.sample_count, name_of(scene.sampler),

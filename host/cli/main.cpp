@@ -12,7 +12,7 @@
 #include "cli/interrupt.h"
 #include "core/print.h"
 #include "core/text.h"
-#include "gpu/minimum_version.h"
+#include "gpu/device.h"
 #include "version.h"
 
 namespace facet::cli {
@@ -26,9 +26,8 @@ const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
 
 /// "facet 0.1.0 (...), needs Vulkan 1.1"
 std::string version_text() {
-  return fmt::format("facet {} (built with {}), needs Vulkan {}.{}", FACET_VERSION, FACET_COMPILER,
-                     VK_API_VERSION_MAJOR(gpu::minimum_vulkan_version),
-                     VK_API_VERSION_MINOR(gpu::minimum_vulkan_version));
+  return fmt::format("facet {} (built with {}), needs Vulkan {}", FACET_VERSION, FACET_COMPILER,
+                     gpu::minimum_vulkan_version);
 }
 
 int fail(const std::string& message, ExitCode code) {

@@ -4,8 +4,15 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "gpu/commands.h"
+#include "gpu/vulkan.h"
 
 namespace facet::gpu {
+
+struct Buffer::Memory {
+  vk::raii::Buffer buffer = nullptr;
+  vk::raii::DeviceMemory memory = nullptr;
+};
 
 namespace {
 
@@ -14,48 +21,64 @@ constexpr std::uint64_t staging_bytes = 16U << 20U;
 
 /// Every buffer holds at least one record of any kind: kernels look at the first one even where
 /// they then discard it.
-constexpr std::uint64_t least_bytes = 64;
+constexpr std::uint64_t least_bytes = 256;
 
-vk::raii::Buffer make_buffer(const Device& device, std::uint64_t bytes,
-                             vk::BufferUsageFlags usage) {
-  return {device.handle(), vk::BufferCreateInfo({}, bytes, usage)};
+constexpr std::uint64_t texel_bytes = 16;
+
+vk::BufferUsageFlags usage_of(bool staging) {
+  using Usage = vk::BufferUsageFlagBits;
+  const vk::BufferUsageFlags copied = Usage::eTransferSrc | Usage::eTransferDst;
+  if (staging) return copied;
+  return copied | Usage::eStorageBuffer | Usage::eStorageTexelBuffer | Usage::eUniformBuffer |
+         Usage::eIndirectBuffer;
 }
 
 }  // namespace
 
-Buffer::Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage,
-               const std::string& what)
+Buffer::Buffer(Device& device, std::uint64_t bytes, const std::string& what)
     : device_(&device),
-      size_(std::max<std::uint64_t>((bytes + 15) / 16 * 16, least_bytes)),
-      buffer_(nullptr),
-      memory_(nullptr) {
-  using Memory = vk::MemoryPropertyFlagBits;
-  const bool staging = static_cast<bool>(usage & vk::BufferUsageFlagBits::eTransferSrc);
-  // Staging memory is the host's.
-  if (!staging) reservation_ = device.reserve(size_, what);
+      name_(what),
+      size_(std::max((bytes + texel_bytes - 1) / texel_bytes * texel_bytes, least_bytes)),
+      memory_(std::make_unique<Memory>()) {
+  reservation_ = device.reserve(size_, what);
+  allocate(false);
+}
+
+Buffer::Buffer(Device& device, std::uint64_t bytes, Staging /*staging*/)
+    : device_(&device),
+      name_("staging"),
+      size_(std::min(bytes, staging_bytes)),
+      memory_(std::make_unique<Memory>()) {
+  allocate(true);
+}
+
+Buffer::~Buffer() = default;
+Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+
+void Buffer::allocate(bool staging) {
+  using Property = vk::MemoryPropertyFlagBits;
+  constexpr auto shared = Property::eHostVisible | Property::eHostCoherent;
+  const Device::Vulkan& vulkan = device_->vulkan();
   try {
-    buffer_ = make_buffer(
-        device, size_,
-        usage | vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst);
-    const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
+    memory_->buffer = {vulkan.device, vk::BufferCreateInfo({}, size_, usage_of(staging))};
+    const vk::MemoryRequirements needs = memory_->buffer.getMemoryRequirements();
     const std::uint32_t type =
-        staging
-            ? device.memory_type(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
-                                 Memory::eHostCached)
-            : device.memory_type(
-                  needs.memoryTypeBits, Memory::eDeviceLocal,
-                  Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached);
-    memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type)};
-    buffer_.bindMemory(*memory_, 0);
-    const auto flags = device.memory_flags(type);
-    constexpr auto shared = Memory::eHostVisible | Memory::eHostCoherent;
-    if ((flags & shared) == shared)
-      mapped_ = static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE));
+        staging ? vulkan.memory_type(needs.memoryTypeBits, shared, Property::eHostCached,
+                                     device_->info().name)
+                : vulkan.memory_type(needs.memoryTypeBits, Property::eDeviceLocal,
+                                     shared | Property::eHostCached, device_->info().name);
+    memory_->memory = {vulkan.device, vk::MemoryAllocateInfo(needs.size, type)};
+    memory_->buffer.bindMemory(*memory_->memory, 0);
+    if ((vulkan.memory.memoryTypes[type].propertyFlags & shared) == shared)
+      mapped_ = static_cast<std::byte*>(memory_->memory.mapMemory(0, VK_WHOLE_SIZE));
   } catch (const vk::SystemError& e) {
-    throw DeviceError(fmt::format("{}: cannot allocate {} bytes for {}: {}", device.info().name,
-                                  size_, what, e.what()));
+    throw DeviceError(fmt::format("{}: cannot allocate {} bytes for {}: {}", device_->info().name,
+                                  size_, name_, e.what()));
   }
 }
+
+VkBuffer_T* Buffer::handle() const { return static_cast<VkBuffer>(*memory_->buffer); }
 
 void Buffer::upload(std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
@@ -63,42 +86,30 @@ void Buffer::upload(std::span<const std::byte> bytes) {
     std::memcpy(mapped_, bytes.data(), bytes.size());
     return;
   }
-  Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes),
-                 vk::BufferUsageFlagBits::eTransferSrc, "staging");
+  const Buffer staging(*device_, bytes.size(), Staging{});
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
     const std::uint64_t count = std::min<std::uint64_t>(staging_bytes, bytes.size() - at);
     std::memcpy(staging.mapped_, bytes.data() + at, count);
-    device_->run([&](const vk::raii::CommandBuffer& c) {
-      c.copyBuffer(staging.handle(), handle(), vk::BufferCopy(0, at, count));
-    });
+    device_->run([&](Commands& c) { c.copy(staging, 0, *this, at, count); });
   }
 }
 
 void Buffer::download(std::span<std::byte> bytes) const {
+  if (bytes.empty()) return;
   if (mapped_ != nullptr) {
     std::memcpy(bytes.data(), mapped_, bytes.size());
     return;
   }
-  const Buffer staging(*device_, std::min<std::uint64_t>(bytes.size(), staging_bytes),
-                       vk::BufferUsageFlagBits::eTransferSrc, "staging");
+  const Buffer staging(*device_, bytes.size(), Staging{});
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
     const std::uint64_t count = std::min<std::uint64_t>(staging_bytes, bytes.size() - at);
-    device_->run([&](const vk::raii::CommandBuffer& c) {
-      c.copyBuffer(handle(), staging.handle(), vk::BufferCopy(at, 0, count));
-    });
+    device_->run([&](Commands& c) { c.copy(*this, at, staging, 0, count); });
     std::memcpy(bytes.data() + at, staging.mapped_, count);
   }
 }
 
 void Buffer::clear() {
-  device_->run(
-      [&](const vk::raii::CommandBuffer& c) { c.fillBuffer(handle(), 0, VK_WHOLE_SIZE, 0); });
-}
-
-vk::raii::BufferView make_texel_view(const Device& device, const Buffer& buffer) {
-  return {device.handle(),
-          vk::BufferViewCreateInfo({}, buffer.handle(), vk::Format::eR32G32B32A32Uint, 0,
-                                   VK_WHOLE_SIZE)};
+  device_->run([&](Commands& c) { c.fill(*this, 0, size_, 0); });
 }
 
 }  // namespace facet::gpu

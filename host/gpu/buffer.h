@@ -5,16 +5,24 @@
 
 #include "gpu/device.h"
 
+struct VkBuffer_T;
+
 namespace facet::gpu {
 
+/// Memory for any use: bound in any way, copied, or read for indirect dispatches.
 class Buffer {
  public:
-  /// At least 64 bytes are allocated, so that an unused buffer can be bound. `what` names it in
-  /// messages.
-  Buffer(Device& device, std::uint64_t bytes, vk::BufferUsageFlags usage, const std::string& what);
+  /// At least 64 bytes are allocated, in whole texels of 16 bytes, so that an unused buffer can be
+  /// bound. `what` names it in messages. Throws InputError where it does not fit into what is left
+  /// of the device's memory, DeviceError where the driver refuses it.
+  Buffer(Device& device, std::uint64_t bytes, const std::string& what);
+  ~Buffer();
+  Buffer(Buffer&&) noexcept;
+  Buffer& operator=(Buffer&&) noexcept;
 
-  [[nodiscard]] vk::Buffer handle() const { return *buffer_; }
+  [[nodiscard]] VkBuffer_T* handle() const;
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
 
   /// Copies to or from the start of the buffer and waits.
   void upload(std::span<const std::byte> bytes);
@@ -26,17 +34,27 @@ class Buffer {
   void upload(const std::vector<Record>& records) {
     upload(std::as_bytes(std::span(records)));
   }
+  /// The first records.
+  template <typename Record>
+  [[nodiscard]] std::vector<Record> download(std::size_t count) const {
+    std::vector<Record> records(count);
+    download(std::as_writable_bytes(std::span(records)));
+    return records;
+  }
 
  private:
+  struct Memory;
+  /// Memory of the host's, from which and to which buffers are copied.
+  struct Staging {};
+  Buffer(Device& device, std::uint64_t bytes, Staging staging);
+  void allocate(bool staging);
+
   Device* device_;
+  std::string name_;
   std::shared_ptr<void> reservation_;
   std::uint64_t size_;
-  vk::raii::Buffer buffer_;
-  vk::raii::DeviceMemory memory_;
+  std::unique_ptr<Memory> memory_;
   std::byte* mapped_ = nullptr;  ///< the whole buffer where the host sees it, else none
 };
-
-/// A uniform texel buffer's view, RGBA32UI, over the whole buffer.
-[[nodiscard]] vk::raii::BufferView make_texel_view(const Device& device, const Buffer& buffer);
 
 }  // namespace facet::gpu

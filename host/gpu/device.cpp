@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "gpu/commands.h"
 #include "gpu/requirements.h"
+#include "gpu/vulkan.h"
 
 namespace facet::gpu {
 
@@ -27,63 +29,80 @@ vk::raii::CommandBuffer make_commands(const vk::raii::Device& device,
   return std::move(buffers.front());
 }
 
+Device::Limits limits_of(const vk::PhysicalDeviceLimits& limits) {
+  return {limits.maxStorageBufferRange, limits.maxUniformBufferRange, limits.maxTexelBufferElements,
+          limits.maxPerStageDescriptorStorageImages};
+}
+
 }  // namespace
 
-Device::Device(const Instance& instance, DeviceInfo info)
-    : info_(std::move(info)),
-      physical_(instance.physical_device(info_)),
-      limits_(physical_.getProperties().limits),
-      memory_(physical_.getMemoryProperties()),
-      is_cpu_(physical_.getProperties().deviceType == vk::PhysicalDeviceType::eCpu),
-      queue_family_(compute_queue_family(physical_)),
-      has_timestamps_(physical_.getQueueFamilyProperties()[queue_family_].timestampValidBits > 0),
-      device_(make_device(physical_, queue_family_)),
-      queue_(device_, queue_family_, 0),
-      pool_(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                               queue_family_)),
-      commands_(make_commands(device_, pool_)),
-      fence_(device_, vk::FenceCreateInfo()),
-      budget_(info_.memory_bytes) {}
+Device::Vulkan::Vulkan(Instance&& with_drivers, const DeviceInfo& info)
+    : instance(std::move(with_drivers)),
+      physical(instance.physical_device(info)),
+      memory(physical.getMemoryProperties()),
+      queue_family(compute_queue_family(physical)),
+      device(make_device(physical, queue_family)),
+      queue(device, queue_family, 0),
+      pool(device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+                                             queue_family)),
+      commands(make_commands(device, pool)),
+      fence(device, vk::FenceCreateInfo()) {}
 
-std::uint32_t Device::memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags required,
-                                  vk::MemoryPropertyFlags preferred) const {
+std::uint32_t Device::Vulkan::memory_type(std::uint32_t allowed, vk::MemoryPropertyFlags required,
+                                          vk::MemoryPropertyFlags preferred,
+                                          const std::string& name) const {
   for (const vk::MemoryPropertyFlags wanted : {required | preferred, required}) {
-    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
-      if ((allowed & (1U << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+      if ((allowed & (1U << i)) != 0 && (memory.memoryTypes[i].propertyFlags & wanted) == wanted)
         return i;
     }
   }
-  throw DeviceError(
-      fmt::format("{} has no memory of the kind {}", info_.name, vk::to_string(required)));
+  throw DeviceError(fmt::format("{} has no memory of the kind {}", name, vk::to_string(required)));
 }
 
-vk::MemoryPropertyFlags Device::memory_flags(std::uint32_t type) const {
-  return memory_.memoryTypes[type].propertyFlags;
+Device::Device(const std::string& selector, bool validate) {
+  Instance instance(validate);
+  info_ = choose_device(instance.devices(), selector);
+  vulkan_ = std::make_unique<Vulkan>(std::move(instance), info_);
+  const vk::PhysicalDeviceProperties properties = vulkan_->physical.getProperties();
+  limits_ = limits_of(properties.limits);
+  is_cpu_ = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+}
+
+Device::~Device() = default;
+
+std::vector<std::string> Device::validation_messages() const {
+  ValidationLog& log = vulkan_->instance.validation();
+  const std::scoped_lock lock(log.mutex);
+  return log.messages;
 }
 
 std::shared_ptr<void> Device::reserve(std::uint64_t bytes, const std::string& what) {
-  if (*reserved_ + bytes > budget_) {
+  if (*reserved_ + bytes > info_.memory_bytes) {
     throw InputError(fmt::format(
         "{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
         with_unit_prefix(static_cast<double>(bytes)),
-        with_unit_prefix(static_cast<double>(budget_)), info_.name,
+        with_unit_prefix(static_cast<double>(info_.memory_bytes)), info_.name,
         with_unit_prefix(static_cast<double>(*reserved_))));
   }
   *reserved_ += bytes;
   return {nullptr, [reserved = reserved_, bytes](void*) { *reserved -= bytes; }};
 }
 
-void Device::run(const std::function<void(const vk::raii::CommandBuffer&)>& record) {
+void Device::run(const std::function<void(Commands&)>& record) {
   try {
-    commands_.reset();
-    commands_.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
-    record(commands_);
-    commands_.end();
-    const vk::CommandBuffer buffer = *commands_;
-    queue_.submit(vk::SubmitInfo({}, {}, buffer), *fence_);
-    while (device_.waitForFences(*fence_, VK_TRUE, UINT64_MAX) == vk::Result::eTimeout) {
+    const vk::raii::CommandBuffer& buffer = vulkan_->commands;
+    buffer.reset();
+    buffer.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
+    Commands commands(buffer);
+    record(commands);
+    buffer.end();
+    const vk::CommandBuffer handle = *buffer;
+    vulkan_->queue.submit(vk::SubmitInfo({}, {}, handle), *vulkan_->fence);
+    while (vulkan_->device.waitForFences(*vulkan_->fence, VK_TRUE, UINT64_MAX) ==
+           vk::Result::eTimeout) {
     }
-    device_.resetFences(*fence_);
+    vulkan_->device.resetFences(*vulkan_->fence);
   } catch (const vk::SystemError& e) {
     throw DeviceError(fmt::format("{} failed: {}", info_.name, e.what()));
   }

@@ -6,8 +6,8 @@
 #include "core/error.h"
 #include "core/sanitized.h"
 #include "core/text.h"
-#include "gpu/device.h"
 #include "gpu/requirements.h"
+#include "gpu/vulkan.h"
 
 namespace facet::gpu {
 
@@ -47,7 +47,7 @@ bool has_layer(const vk::raii::Context& context, const char* name) {
 }
 
 vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate) {
-  const vk::ApplicationInfo application("facet", 1, "facet", 1, minimum_vulkan_version);
+  const vk::ApplicationInfo application("facet", 1, "facet", 1, minimum_api_version);
   std::vector<const char*> layers;
   std::vector<const char*> extensions;
   if (validate) {
@@ -104,8 +104,6 @@ Instance::Instance(bool validate)
   if (is_sanitized) keep_libraries_loaded();
 }
 
-Instance::~Instance() = default;
-
 std::vector<DeviceInfo> Instance::devices() const {
   std::vector<DeviceInfo> list;
   const vk::raii::PhysicalDevices physical(instance_);
@@ -115,8 +113,14 @@ std::vector<DeviceInfo> Instance::devices() const {
   return list;
 }
 
-DeviceInfo Instance::choose(const std::string& selector) const {
-  const std::vector<DeviceInfo> list = devices();
+vk::raii::PhysicalDevice Instance::physical_device(const DeviceInfo& info) const {
+  vk::raii::PhysicalDevices physical(instance_);
+  return std::move(physical[info.index]);
+}
+
+std::vector<DeviceInfo> list_devices() { return Instance(false).devices(); }
+
+DeviceInfo choose_device(const std::vector<DeviceInfo>& list, const std::string& selector) {
   if (list.empty()) throw DeviceError(std::string("no Vulkan device: ") + driver_hint);
   const auto index = parse_integer(selector);
   const DeviceInfo* best = nullptr;
@@ -136,11 +140,6 @@ DeviceInfo Instance::choose(const std::string& selector) const {
         fmt::format("{} lacks {}; {}", best->name, fmt::join(best->lacks, ", "), driver_hint));
   }
   return *best;
-}
-
-vk::raii::PhysicalDevice Instance::physical_device(const DeviceInfo& info) const {
-  vk::raii::PhysicalDevices physical(instance_);
-  return std::move(physical[info.index]);
 }
 
 }  // namespace facet::gpu

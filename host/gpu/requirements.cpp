@@ -10,6 +10,10 @@ namespace facet::gpu {
 
 namespace {
 
+/// That a render binds where no texel buffer is large enough: all bindings, but the one uniform
+/// buffer and those of the kernels that evaluate BSDFs alone.
+constexpr std::uint32_t storage_buffers = shared::BINDING_counters;
+
 struct Requirement {
   std::string name;
   std::function<bool(const vk::raii::PhysicalDevice&)> met;
@@ -24,16 +28,15 @@ Requirement limit(const std::string& name, Value vk::PhysicalDeviceLimits::*memb
 
 std::vector<Requirement> requirements() {
   using Limits = vk::PhysicalDeviceLimits;
-  constexpr std::uint32_t buffers = shared::BUFFER_BINDING_COUNT;
   return {
-      {"Vulkan 1.1",
-       [](const auto& d) { return d.getProperties().apiVersion >= minimum_vulkan_version; }},
+      {fmt::format("Vulkan {}", minimum_vulkan_version),
+       [](const auto& d) { return d.getProperties().apiVersion >= minimum_api_version; }},
       {"a compute queue",
        [](const auto& d) { return compute_queue_family(d) != VK_QUEUE_FAMILY_IGNORED; }},
       limit<std::uint32_t>("maxPerStageDescriptorStorageBuffers",
-                           &Limits::maxPerStageDescriptorStorageBuffers, buffers),
+                           &Limits::maxPerStageDescriptorStorageBuffers, storage_buffers),
       limit<std::uint32_t>("maxDescriptorSetStorageBuffers",
-                           &Limits::maxDescriptorSetStorageBuffers, buffers),
+                           &Limits::maxDescriptorSetStorageBuffers, storage_buffers),
       limit<std::uint32_t>("maxComputeWorkGroupInvocations",
                            &Limits::maxComputeWorkGroupInvocations, shared::WORKGROUP_SIZE),
       limit<std::uint32_t>("maxStorageBufferRange", &Limits::maxStorageBufferRange, 1U << 27U),
@@ -82,7 +85,9 @@ DeviceInfo describe_device(const vk::raii::PhysicalDevice& device, std::uint32_t
   info.index = index;
   info.name = properties.deviceName.data();
   info.kind = kind_name(properties.deviceType);
-  info.api_version = properties.apiVersion;
+  info.vulkan_version = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion),
+                                    VK_API_VERSION_MINOR(properties.apiVersion),
+                                    VK_API_VERSION_PATCH(properties.apiVersion));
   info.driver = fmt::format("driver version {:#x}", properties.driverVersion);
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
     const auto chain =

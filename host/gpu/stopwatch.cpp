@@ -1,37 +1,48 @@
 #include "gpu/stopwatch.h"
 
+#include "gpu/vulkan.h"
+
 namespace facet::gpu {
 
-Stopwatch::Stopwatch(const Device& device, std::uint32_t most_marks)
-    : seconds_per_tick_(device.has_timestamps()
-                            ? static_cast<double>(device.limits().timestampPeriod) * 1e-9
-                            : 0),
-      pool_(device.handle(),
-            vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)) {}
+struct Stopwatch::Queries {
+  vk::raii::QueryPool pool;
+};
 
-void Stopwatch::stamp(const vk::raii::CommandBuffer& commands) {
-  if (seconds_per_tick_ == 0) return;
-  commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *pool_,
-                          static_cast<std::uint32_t>(stages_.size()));
+Stopwatch::Stopwatch(const Device& device, std::uint32_t most_marks) {
+  const Device::Vulkan& vulkan = device.vulkan();
+  const auto family = vulkan.physical.getQueueFamilyProperties()[vulkan.queue_family];
+  if (family.timestampValidBits == 0) return;
+  const auto nanoseconds =
+      static_cast<double>(vulkan.physical.getProperties().limits.timestampPeriod);
+  seconds_per_tick_ = nanoseconds * 1e-9;
+  queries_.reset(new Queries{
+      {vulkan.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)}});
 }
 
-void Stopwatch::start(const vk::raii::CommandBuffer& commands) {
+Stopwatch::~Stopwatch() = default;
+
+void Stopwatch::stamp(const Commands& commands) {
+  if (!queries_) return;
+  const auto index = static_cast<std::uint32_t>(stages_.size());
+  commands.handle().resetQueryPool(*queries_->pool, index, 1);
+  commands.handle().writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *queries_->pool,
+                                   index);
+}
+
+void Stopwatch::start(const Commands& commands) {
   stages_.clear();
-  if (seconds_per_tick_ != 0) commands.resetQueryPool(*pool_, 0, 1);
   stamp(commands);
 }
 
-void Stopwatch::mark(const vk::raii::CommandBuffer& commands, std::size_t stage) {
+void Stopwatch::mark(const Commands& commands, std::size_t stage) {
   stages_.push_back(stage);
-  if (seconds_per_tick_ != 0)
-    commands.resetQueryPool(*pool_, static_cast<std::uint32_t>(stages_.size()), 1);
   stamp(commands);
 }
 
 void Stopwatch::collect(std::span<double> seconds) {
-  if (seconds_per_tick_ == 0 || stages_.empty()) return;
+  if (!queries_ || stages_.empty()) return;
   const std::size_t count = stages_.size() + 1;
-  const auto [result, ticks] = pool_.getResults<std::uint64_t>(
+  const auto [result, ticks] = queries_->pool.getResults<std::uint64_t>(
       0, static_cast<std::uint32_t>(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
   if (result != vk::Result::eSuccess) return;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "gpu/device.h"
+#include "gpu/commands.h"
 
 namespace facet::gpu {
 
@@ -13,19 +13,23 @@ class Stopwatch {
  public:
   /// most_marks: of one submission.
   Stopwatch(const Device& device, std::uint32_t most_marks);
+  ~Stopwatch();
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
 
   /// Starts a submission.
-  void start(const vk::raii::CommandBuffer& commands);
+  void start(const Commands& commands);
   /// What was recorded since the last mark belongs to the stage.
-  void mark(const vk::raii::CommandBuffer& commands, std::size_t stage);
+  void mark(const Commands& commands, std::size_t stage);
   /// After the submission has run: adds its seconds, by stage.
   void collect(std::span<double> seconds);
 
  private:
-  void stamp(const vk::raii::CommandBuffer& commands);
+  struct Queries;
+  void stamp(const Commands& commands);
 
-  double seconds_per_tick_;
-  vk::raii::QueryPool pool_;
+  double seconds_per_tick_ = 0;
+  std::unique_ptr<Queries> queries_;
   std::vector<std::size_t> stages_;
 };
 

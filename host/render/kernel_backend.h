@@ -11,13 +11,12 @@ namespace facet {
 class KernelBackend : public TestableBackend {
  public:
   /// device: an index or part of a name; empty: the best. Throws DeviceError where there is none.
-  KernelBackend(const std::string& device, bool validate)
-      : instance_(validate), device_(instance_, instance_.choose(device)) {}
+  KernelBackend(const std::string& device, bool validate) : device_(device, validate) {}
 
   [[nodiscard]] std::string name() const override { return device_.info().name; }
   [[nodiscard]] std::string driver() const override { return device_.info().driver; }
   [[nodiscard]] std::vector<std::string> validation_messages() const override {
-    return instance_.validation().messages;
+    return device_.validation_messages();
   }
 
   using TestableBackend::start;
@@ -29,7 +28,6 @@ class KernelBackend : public TestableBackend {
   [[nodiscard]] gpu::Device& device() { return device_; }
 
  private:
-  gpu::Instance instance_;
   gpu::Device device_;
   std::optional<BsdfKernels> bsdf_kernels_;  ///< scenes need none of these
 };

@@ -2,10 +2,9 @@
 // One BSDF on the device, evaluated and sampled by the renderer's own shaders.
 #include <map>
 
-#include "gpu/pipeline.h"
+#include "render/bindings.h"
 #include "scene/scene.h"
 #include "scene/settings.h"
-#include "shared/bindings.h"
 #include "statistics/bsdf_evaluator.h"
 
 namespace facet {
@@ -19,27 +18,26 @@ class BsdfKernels {
  private:
   friend class KernelBsdfEvaluator;
   using Constants = std::array<std::uint32_t, shared::SPEC_COUNT>;
-  struct Pipelines {
-    vk::raii::Pipeline evaluate;
-    vk::raii::Pipeline sample;
+  struct Pair {
+    gpu::CompiledKernel evaluate;
+    gpu::CompiledKernel sample;
   };
 
   /// For a scene with this BSDF alone.
-  const Pipelines& specialised(const Constants& constants);
+  const Pair& specialised(const Constants& constants);
   /// Runs a kernel over the first `count` records that are bound.
-  void run(const vk::raii::Pipeline& pipeline, std::uint32_t count);
+  void run(const gpu::CompiledKernel& kernel, std::uint32_t count);
 
   gpu::Device& device_;
-  gpu::Layout layout_;
   gpu::Buffer bsdf_;
   gpu::Buffer albedos_;
   gpu::Buffer evaluation_;
   gpu::Buffer queries_;
   gpu::Buffer values_;
   gpu::Buffer weights_;
-  gpu::Buffer unused_;
-  gpu::BindingSet set_;
-  std::map<Constants, Pipelines> pipelines_;
+  KernelProgram program_;
+  gpu::BoundBuffers bound_;
+  std::map<Constants, Pair> kernels_;
 };
 
 /// A BSDF without textures, by the kernels specialised to a scene that has nothing else.
@@ -62,7 +60,7 @@ class KernelBsdfEvaluator : public statistics::BsdfEvaluator {
 
   BsdfKernels& kernels_;
   shared::BsdfRecord record_;
-  const BsdfKernels::Pipelines& pipelines_;
+  const BsdfKernels::Pair& pair_;
 };
 
 }  // namespace facet

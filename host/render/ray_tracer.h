@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "render/geometry_buffers.h"
+#include "render/path_state.h"
+#include "render/scene_buffers.h"
 
 namespace facet {
 
@@ -33,21 +34,18 @@ class RayTracer {
   [[nodiscard]] std::uint64_t geometry_bytes() const { return geometry_.bytes(); }
 
  private:
-  double run(const vk::raii::Pipeline& pipeline);
-  [[nodiscard]] std::vector<gpu::Binding> bindings();
+  double run(const gpu::CompiledKernel& kernel);
 
   gpu::Device& device_;
   std::uint32_t ray_count_ = 0;
-  GeometryBuffers geometry_;
-  gpu::Layout layout_;
+  SceneBuffers geometry_;
   gpu::Buffer rays_;
   gpu::Buffer hits_;
   gpu::Buffer counters_;
-  gpu::Buffer unused_;
-  std::vector<vk::raii::BufferView> views_;  ///< of what is bound as texels
-  gpu::BindingSet set_;
-  vk::raii::Pipeline closest_;
-  vk::raii::Pipeline any_;
+  KernelProgram program_;
+  gpu::BoundBuffers bound_;
+  gpu::CompiledKernel closest_;
+  gpu::CompiledKernel any_;
 };
 
 }  // namespace facet

@@ -6,20 +6,18 @@
 #include <mutex>
 #include <optional>
 
-#include "gpu/pipeline.h"
+#include "render/bindings.h"
 #include "render/features.h"
-#include "render/kernels.h"
 
 namespace facet {
 
 class RenderKernels {
  public:
   /// Runs a kernel once, on a pass without work.
-  using Warming = std::function<void(const vk::raii::Pipeline&)>;
+  using Warming = std::function<void(const gpu::CompiledKernel&)>;
 
-  /// Nothing is compiled yet. The layout has to outlive this.
-  RenderKernels(const gpu::Device& device, const gpu::Layout& layout, const Features& features,
-                std::uint32_t stack_size, GeometryFetch fetch);
+  /// Nothing is compiled yet. The program has to outlive this.
+  RenderKernels(const KernelProgram& program, const Features& features, std::uint32_t stack_size);
 
   /// Compiles all kernels that the integrator needs, beside each other, and calls `warm` with each
   /// as soon as there is one, never two at a time: many drivers compile at the first dispatch, one
@@ -27,12 +25,12 @@ class RenderKernels {
   /// DeviceError.
   void compile(const Warming& warm);
 
-  [[nodiscard]] const vk::raii::Pipeline& schedule() const { return *schedule_; }
+  [[nodiscard]] const gpu::CompiledKernel& schedule() const { return *schedule_; }
   /// By the bounce's index, from 0 on.
-  [[nodiscard]] const vk::raii::Pipeline& bounce(std::uint32_t index) const;
-  [[nodiscard]] const vk::raii::Pipeline& film() const { return *film_; }
+  [[nodiscard]] const gpu::CompiledKernel& bounce(std::uint32_t index) const;
+  [[nodiscard]] const gpu::CompiledKernel& film() const { return *film_; }
   /// For the camera's rays alone; compiled when first asked for.
-  [[nodiscard]] const vk::raii::Pipeline& camera();
+  [[nodiscard]] const gpu::CompiledKernel& camera();
 
   /// Of all kernels so far, in SPIR-V.
   [[nodiscard]] std::uint64_t instruction_count() const { return instructions_; }
@@ -45,17 +43,15 @@ class RenderKernels {
     [[nodiscard]] std::size_t index() const { return (camera ? 1U : 0U) + (last ? 2U : 0U); }
   };
   [[nodiscard]] BounceKind kind_of(std::uint32_t bounce) const;
-  [[nodiscard]] vk::raii::Pipeline make(Kernel kernel, BounceKind kind = {});
+  [[nodiscard]] gpu::CompiledKernel make(Kernel kernel, BounceKind kind = {});
 
-  const gpu::Device& device_;
-  const gpu::Layout& layout_;
+  const KernelProgram& program_;
   Features features_;
   std::uint32_t stack_size_;
-  GeometryFetch fetch_;
-  std::optional<vk::raii::Pipeline> schedule_;
-  std::array<std::optional<vk::raii::Pipeline>, 4> bounces_;  ///< by BounceKind::index
-  std::optional<vk::raii::Pipeline> film_;
-  std::optional<vk::raii::Pipeline> camera_;
+  std::optional<gpu::CompiledKernel> schedule_;
+  std::array<std::optional<gpu::CompiledKernel>, 4> bounces_;  ///< by BounceKind::index
+  std::optional<gpu::CompiledKernel> film_;
+  std::optional<gpu::CompiledKernel> camera_;
   std::atomic<std::uint64_t> instructions_ = 0;
 };
 

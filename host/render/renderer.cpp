@@ -4,11 +4,17 @@
 #include <numeric>
 
 #include "core/clock.h"
-#include "render/resources.h"
 
 namespace facet {
 
 namespace {
+
+/// Bounces recorded at a time at most.
+constexpr std::uint32_t bounces_per_submission = 8;
+
+/// Samples that one dispatch of film.comp adds to a pixel: Mesa 22's lavapipe silently ends loops
+/// that run too long.
+constexpr std::uint32_t samples_per_film_dispatch = 256;
 
 /// An odd step near the golden section of the number of runs and coprime to it: consecutive
 /// workgroups land far apart.
@@ -18,37 +24,66 @@ std::uint32_t permutation_stride(std::uint32_t runs) {
   return stride;
 }
 
-/// The sums that a record keeps as hi + lo.
-std::array<double, 3> whole_sums(const shared::FilmRecord& r) {
-  return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g,
-          static_cast<double>(r.hi_b) + r.lo_b};
+std::uint32_t crop_pixels(const RenderSettings& settings) {
+  return static_cast<std::uint32_t>(settings.crop_width()) *
+         static_cast<std::uint32_t>(settings.crop_height());
+}
+
+std::uint32_t rounds_of(const PackedScene& packed) {
+  if (!packed.features.integrator.type.every_emitter) return 1;
+  return std::max(1U, static_cast<std::uint32_t>(packed.emitters.size()));
+}
+
+/// All bindings but those of the kernels that evaluate BSDFs alone.
+std::vector<std::uint32_t> render_bindings() {
+  std::vector<std::uint32_t> numbers(shared::BINDING_counters + 1);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
 }
 
 }  // namespace
-
-/// One pass: samples of pixels of one piece of the film.
-struct Renderer::Wave {
-  std::size_t film_piece = 0;
-  shared::PassConstants constants{};
-};
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       settings_(packed.settings),
       features_(packed.features),
-      square_scale_(packed.frame.square_scale) {
+      square_scale_(packed.frame.square_scale),
+      rounds_(rounds_of(packed)),
+      scene_(device, packed),
+      state_(device, choose_slots(device, packed.settings), rounds_ > 1),
+      film_(device, crop_pixels(packed.settings), packed.features.variance),
+      program_(device, render_bindings(),
+               choose_fetch(device, packed, packed.settings.force_storage_buffers)),
+      kernels_(program_, packed.features, packed.bvh.stack_size) {
   const auto start = std::chrono::steady_clock::now();
-  resources_ = std::make_unique<Resources>(device, packed);
+  gpu::BufferMap map;
+  scene_.add_to(map);
+  state_.add_to(map);
+  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
+    film_.add_to(map, piece);
+    bound_.push_back(program_.bind(map));
+  }
+  if (packed.settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
   // The drivers' share happens here, outside the timed render.
-  resources_->compile_kernels();
+  compile_kernels();
   statistics_.compile_seconds = seconds_since(start);
-  statistics_.kernel_instructions = resources_->instruction_count();
+  statistics_.kernel_instructions = kernels_.instruction_count();
   statistics_.device_bytes = device.reserved_bytes();
   statistics_.bvh_seconds = packed.bvh_seconds;
   statistics_.features = features_.names();
 }
 
-Renderer::~Renderer() = default;
+void Renderer::compile_kernels() {
+  kernels_.compile([this](const gpu::CompiledKernel& kernel) {
+    device_.run([&](gpu::Commands& c) {
+      shared::PassConstants nothing{};
+      nothing.pixel_count = 1;
+      c.bind(bound_.front());
+      state_.clear_counters(c, 0);
+      c.dispatch(kernel, nothing, 1);
+    });
+  });
+}
 
 Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                    std::uint32_t pixel_count, std::uint32_t first_sample,
@@ -60,12 +95,44 @@ Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_p
   wave.constants.first_sample = first_sample;
   wave.constants.sample_count = sample_count;
   wave.constants.stride = permutation_stride(pixel_count / shared::WORKGROUP_SIZE);
-  wave.constants.film_first = resources_->film_pieces()[film_piece].first_pixel;
+  wave.constants.film_first = film_.pieces()[film_piece].first_pixel;
   return wave;
 }
 
+template <typename Record>
+void Renderer::run_timed(std::size_t film_piece, const Record& record) {
+  device_.run([&](gpu::Commands& c) {
+    c.bind(bound_[film_piece]);
+    if (stopwatch_) stopwatch_->start(c);
+    record(c);
+  });
+  if (stopwatch_) stopwatch_->collect(stage_seconds_);
+}
+
+void Renderer::end_stage(const gpu::Commands& commands, Stage stage) {
+  if (stopwatch_) stopwatch_->mark(commands, static_cast<std::size_t>(stage));
+}
+
+void Renderer::record_bounce(gpu::Commands& commands, const shared::PassConstants& constants) {
+  commands.dispatch(kernels_.schedule(), constants, 1);
+  shared::PassConstants round = constants;
+  for (round.emitter = 0; round.emitter < rounds_; ++round.emitter) {
+    commands.dispatch_indirect(kernels_.bounce(constants.bounce), round, state_.counters(),
+                               shared::INDIRECT_PATHS * sizeof(std::uint32_t));
+  }
+  end_stage(commands, constants.bounce == 0 ? Stage::first_bounce : Stage::later_bounces);
+}
+
+void Renderer::record_film(gpu::Commands& commands, shared::PassConstants constants) {
+  for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
+    constants.film_begin = k;
+    constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
+    commands.dispatch(kernels_.film(), constants, workgroups(constants.pixel_count));
+  }
+  end_stage(commands, Stage::film);
+}
+
 void Renderer::run_wave(const Wave& wave) {
-  Resources& r = *resources_;
   shared::PassConstants constants = wave.constants;
   const std::uint32_t slots = constants.pixel_count * constants.sample_count;
   const std::uint32_t limit = features_.bounce_limit();
@@ -74,26 +141,18 @@ void Renderer::run_wave(const Wave& wave) {
   while (more) {
     const std::uint32_t end = limit == 0 ? bounce + bounces_per_submission
                                          : std::min(limit, bounce + bounces_per_submission);
-    device_.run([&](const vk::raii::CommandBuffer& c) {
-      r.bind(c, wave.film_piece);
-      r.start_clock(c);
-      if (bounce == 0) r.clear_counters(c, slots);
+    run_timed(wave.film_piece, [&](gpu::Commands& c) {
+      if (bounce == 0) state_.clear_counters(c, slots);
       for (; bounce < end; ++bounce) {
         constants.bounce = bounce;
         constants.queue = bounce % 2;
-        r.record_bounce(c, constants);
+        record_bounce(c, constants);
       }
     });
-    r.read_clock(stage_seconds_);
-    more = bounce != limit && r.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
+    more = bounce != limit && state_.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
   }
-  device_.run([&](const vk::raii::CommandBuffer& c) {
-    r.bind(c, wave.film_piece);
-    r.start_clock(c);
-    r.record_film(c, constants);
-  });
-  r.read_clock(stage_seconds_);
-  const auto counters = r.read_counters();
+  run_timed(wave.film_piece, [&](gpu::Commands& c) { record_film(c, constants); });
+  const Counters counters = state_.read_counters();
   statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
   statistics_.any_rays += counters[shared::COUNTER_ANY_RAYS];
   statistics_.bound_hits += counters[shared::COUNTER_BOUND_HITS];
@@ -103,7 +162,6 @@ void Renderer::run_wave(const Wave& wave) {
 
 void Renderer::render(const ProgressCallback& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const Resources& r = *resources_;
   const std::uint64_t total = settings_.total_samples();
   std::uint32_t batch = 1;
   for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
@@ -111,9 +169,9 @@ void Renderer::render(const ProgressCallback& progress) {
     // there are slots.
     const std::uint32_t done = sample - settings_.samples.begin;
     batch = std::min(std::max(done, 1U), settings_.samples.end - sample);
-    for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
-      for (const auto& [first, count] : r.pixel_ranges(piece)) {
-        const std::uint32_t per_wave = std::max(1U, r.slot_count() / count);
+    for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
+      for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
+        const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
         for (std::uint32_t k = 0; k < batch; k += per_wave) {
           run_wave(make_wave(piece, first, count, sample + k, std::min(per_wave, batch - k)));
           statistics_.render_seconds = seconds_since(start);
@@ -129,15 +187,14 @@ void Renderer::render(const ProgressCallback& progress) {
 }
 
 std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
-  const Resources& r = *resources_;
   std::vector<Radiance> radiances;
-  for (std::size_t piece = 0; piece < r.film_pieces().size(); ++piece) {
-    for (const auto& [first, count] : r.pixel_ranges(piece)) {
+  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
+    for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
       Wave wave = make_wave(piece, first, count, sample, 1);
       // Not permuted: slots in the order of the pixels.
       wave.constants.stride = 1;
       run_wave(wave);
-      for (const shared::PathRecord& path : r.read_paths(count))
+      for (const shared::PathRecord& path : state_.read_paths(count))
         radiances.push_back({path.radiance.x, path.radiance.y, path.radiance.z});
     }
   }
@@ -145,34 +202,22 @@ std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
 }
 
 Film Renderer::film() const {
-  const auto [sums, squares] = resources_->read_film();
   Film film = make_film(settings_.crop_width(), settings_.crop_height(), settings_.window(),
-                        !squares.empty());
-  // The squares are those of scaled values.
-  const double unscale = 1 / (static_cast<double>(square_scale_) * square_scale_);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    PixelSums& pixel = film.pixels[i];
-    pixel.values = whole_sums(sums[i]);
-    pixel.samples = sums[i].samples;
-    pixel.nonzero = sums[i].nonzero;
-    if (squares.empty()) continue;
-    pixel.squares = whole_sums(squares[i]);
-    for (double& s : pixel.squares) s *= unscale;
-  }
+                        features_.variance);
+  film_.read(film, square_scale_);
   return film;
 }
 
 std::vector<shared::RayRecord> Renderer::camera_rays() {
-  Resources& r = *resources_;
   shared::PassConstants constants{};
-  constants.pixel_count = std::min(r.slot_count(), r.pixel_count());
+  constants.pixel_count = std::min(state_.slots(), film_.pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
-  device_.run([&](const vk::raii::CommandBuffer& c) {
-    r.bind(c, 0);
-    r.record_camera_rays(c, constants);
+  device_.run([&](gpu::Commands& c) {
+    c.bind(bound_.front());
+    c.dispatch(kernels_.camera(), constants, workgroups(constants.pixel_count));
   });
-  return r.read_rays(constants.pixel_count);
+  return state_.read_rays(constants.pixel_count);
 }
 
 }  // namespace facet

@@ -2,11 +2,11 @@
 // Renders a scene on a device: wavefront path tracing in bounded passes.
 #include <facet/backend.h>
 
-#include <memory>
-
-#include "gpu/device.h"
-#include "image/film.h"
-#include "render/pack/packed_scene.h"
+#include "gpu/stopwatch.h"
+#include "render/film_buffers.h"
+#include "render/path_state.h"
+#include "render/render_kernels.h"
+#include "render/scene_buffers.h"
 #include "render/stages.h"
 
 namespace facet {
@@ -16,7 +16,6 @@ class Renderer {
  public:
   /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
   Renderer(gpu::Device& device, const PackedScene& packed);
-  ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
@@ -38,21 +37,40 @@ class Renderer {
   [[nodiscard]] std::vector<shared::RayRecord> camera_rays();
 
  private:
-  struct Resources;
-  struct Wave;
+  /// One pass: samples of pixels of one piece of the film.
+  struct Wave {
+    std::size_t film_piece = 0;
+    shared::PassConstants constants{};
+  };
 
+  void compile_kernels();
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                std::uint32_t pixel_count, std::uint32_t first_sample,
                                std::uint32_t sample_count) const;
   void run_wave(const Wave& wave);
+  /// One bounce of all paths in the queue.
+  void record_bounce(gpu::Commands& commands, const shared::PassConstants& constants);
+  /// The finished samples into the film.
+  void record_film(gpu::Commands& commands, shared::PassConstants constants);
+  /// Where stages are timed: records a submission, runs it, and adds up what its stages took.
+  template <typename Record>
+  void run_timed(std::size_t film_piece, const Record& record);
+  void end_stage(const gpu::Commands& commands, Stage stage);
 
   gpu::Device& device_;
   RenderSettings settings_;
   Features features_;
   float square_scale_;
+  std::uint32_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   RenderStatistics statistics_;
   StageSeconds stage_seconds_{};
-  std::unique_ptr<Resources> resources_;
+  SceneBuffers scene_;
+  PathState state_;
+  FilmBuffers film_;
+  KernelProgram program_;
+  std::vector<gpu::BoundBuffers> bound_;  ///< one a piece of the film
+  RenderKernels kernels_;
+  std::optional<gpu::Stopwatch> stopwatch_;
 };
 
 }  // namespace facet

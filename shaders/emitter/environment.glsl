@@ -18,7 +18,7 @@ vec2 environment_coordinates(vec3 d) {
   return vec2((1.0 - u) * float(frame.environment_width), (1.0 - v) * float(frame.environment_height));
 }
 
-vec4 environment_texel(uint x, uint y) { return uintBitsToFloat(environment_map_texel(y * frame.environment_width + x)); }
+vec4 environment_at(uint x, uint y) { return fetch_environment_texel(y * frame.environment_width + x); }
 
 /// Radiance arriving from direction d.
 vec3 environment_eval(vec3 d) {
@@ -31,8 +31,8 @@ vec3 environment_eval(vec3 d) {
   uint x1 = (x0 + 1u) % w;
   uint y0 = min(uint(base.y), h - 1u);
   uint y1 = min(y0 + 1u, h - 1u);
-  vec3 top = (1.0 - f.x) * environment_texel(x0, y0).rgb + f.x * environment_texel(x1, y0).rgb;
-  vec3 bottom = (1.0 - f.x) * environment_texel(x0, y1).rgb + f.x * environment_texel(x1, y1).rgb;
+  vec3 top = (1.0 - f.x) * environment_at(x0, y0).rgb + f.x * environment_at(x1, y0).rgb;
+  vec3 bottom = (1.0 - f.x) * environment_at(x0, y1).rgb + f.x * environment_at(x1, y1).rgb;
   return (1.0 - f.y) * top + f.y * bottom;
 }
 
@@ -41,7 +41,7 @@ float environment_pdf(vec3 d) {
   vec2 at = environment_coordinates(d);
   uint x = min(uint(at.x), frame.environment_width - 1u);
   uint y = min(uint(at.y), frame.environment_height - 1u);
-  return environment_texel(x, y).w;
+  return environment_at(x, y).w;
 }
 
 #define FACET_ROW_COUNT(i) fetch_environment_row(i).cumulative
@@ -70,7 +70,7 @@ EmitterSample environment_sample(uint row_bits, uint column_bits) {
   vec2 sc = sincos_turns(1.0 - (float(cell - first) + fx) / float(frame.environment_width));
   EmitterSample r;
   r.d = vec3(radius * sc.y, y, radius * sc.x);
-  r.pdf = uintBitsToFloat(environment_map_texel(cell).w);
+  r.pdf = fetch_environment_texel(cell).w;
   r.radiance = environment_eval(r.d);
   r.point = r.d;
   r.at_infinity = true;

@@ -28,7 +28,7 @@ bool is_last_round() { return !EVERY_EMITTER || pass_constants.emitter + 1u >= f
 PathRecord path_of(uint slot) {
   if (!CAMERA_BOUNCE) return fetch_path(slot);
   PathRecord path = PathRecord(vec4(1.0, 1.0, 1.0, 0.0), vec4(0.0, 0.0, 0.0, 1.0));
-  if (EVERY_EMITTER && !is_first_round()) path.radiance.rgb = fetch_radiance(slot);
+  if (EVERY_EMITTER && !is_first_round()) path.radiance.rgb = fetch_path(slot).radiance.rgb;
   return path;
 }
 

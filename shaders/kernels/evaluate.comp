@@ -2,7 +2,7 @@
 // Value and density of one BSDF for pairs of directions: what tests ask.
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/bsdf.glsl"
-#include "../lib/evaluation.glsl"
+#include "../lib/bindings.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

@@ -20,7 +20,7 @@ void main() {
   uint k = pass_constants.film_begin;
   while (k < pass_constants.film_end) {
     uint slot = local + k * pass_constants.pixel_count;
-    vec3 radiance = fetch_radiance(slot);
+    vec3 radiance = fetch_path(slot).radiance.rgb;
     bool good = is_good_sample(radiance);
     vec3 value = radiance * sample_weight(slot);
     if (good) add_sample(sums, value);

@@ -2,7 +2,7 @@
 // Samples of one BSDF seen from one direction: what tests ask.
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/bsdf.glsl"
-#include "../lib/evaluation.glsl"
+#include "../lib/bindings.glsl"
 #include "../lib/random.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;

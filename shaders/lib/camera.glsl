@@ -3,6 +3,7 @@
 #define FACET_CAMERA_GLSL
 #include "frame.glsl"
 #include "pass.glsl"
+#include "records.glsl"
 
 /// Offset from the pixel's centre along one axis, distributed as |filter|: within one of the table's intervals of equal
 /// mass the density runs linearly (docs/sampling.md, "Filter").
@@ -10,7 +11,7 @@ float sample_filter(float u) {
   float scaled = u * float(frame.filter_intervals);
   uint i = min(uint(scaled), frame.filter_intervals - 1u);
   // Offset and |filter| at either end.
-  vec4 ends = uintBitsToFloat(filter_texel(i));
+  vec4 ends = fetch_filter_interval(i);
   vec2 a = ends.xy;
   vec2 b = ends.zw;
   float f = scaled - float(i);

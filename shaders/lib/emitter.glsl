@@ -9,7 +9,7 @@
 #include "../emitter/environment.glsl"
 #include "../emitter/pointlight.glsl"
 
-#define FACET_EMITTER_COUNT(i) fetch_emitter_cumulative(i)
+#define FACET_EMITTER_COUNT(i) fetch_emitter(i).cumulative
 FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
 /// A direction from a surface towards an emitter.

@@ -1,10 +1,10 @@
 // The BVH's items, and the two tests of traversal.
 #ifndef FACET_GEOMETRY_GLSL
 #define FACET_GEOMETRY_GLSL
-#include "bindings.glsl"
+#include "records.glsl"
 #include "frame.glsl"
 
-BvhNode fetch_node(uint item) { return BvhNode(bvh_texel(3u * item), bvh_texel(3u * item + 1u), bvh_texel(3u * item + 2u)); }
+BvhNode fetch_node(uint item) { return BvhNode(item_texel(3u * item), item_texel(3u * item + 1u), item_texel(3u * item + 2u)); }
 
 /// Corners of an item's triangles, world space.
 struct Corners {
@@ -15,9 +15,9 @@ struct Corners {
 };
 
 Corners fetch_corners(uint item) {
-  vec4 a = uintBitsToFloat(bvh_texel(3u * item));
-  vec4 b = uintBitsToFloat(bvh_texel(3u * item + 1u));
-  vec4 c = uintBitsToFloat(bvh_texel(3u * item + 2u));
+  vec4 a = uintBitsToFloat(item_texel(3u * item));
+  vec4 b = uintBitsToFloat(item_texel(3u * item + 1u));
+  vec4 c = uintBitsToFloat(item_texel(3u * item + 2u));
   return Corners(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw);
 }
 
@@ -35,10 +35,10 @@ struct TriangleName {
 };
 
 TriangleName triangle_name(uint triangle) {
-  uvec4 pair = pair_texel(triangle >> 1u);
+  PairRecord pair = fetch_pair(triangle >> 1u);
   bool second = (triangle & 1u) != 0u;
-  uint name = second ? pair.y : pair.x;
-  return TriangleName(name & NAME_INDEX_MASK, second ? pair.w : pair.z, name >> NAME_INDEX_BITS);
+  uint name = second ? pair.name1 : pair.name0;
+  return TriangleName(name & NAME_INDEX_MASK, second ? pair.mesh1 : pair.mesh0, name >> NAME_INDEX_BITS);
 }
 
 /// A ray prepared for the tests.

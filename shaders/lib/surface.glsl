@@ -16,8 +16,6 @@ struct Surface {
   uint index;  // of the triangle in the scene, in order of reading
 };
 
-vec3 fetch_normal(uint i) { return uintBitsToFloat(normal_texel(i).xyz); }
-
 /// Unit normal of a triangle by its winding. Of two edges that are almost parallel only their perpendicular parts count, so that no digits cancel;
 /// the product of others has all digits as it is, and components that are 0 by symmetry stay so.
 vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
@@ -51,15 +49,15 @@ Surface surface_at(uint triangle, float b1, float b2) {
   bool listed = attributes != NONE;
   uint index = listed ? name.index - attributes : 0u;
   if (SHADING_NORMALS) {
-    uvec4 n = normal_indices_texel(index);
+    uvec4 n = fetch_normal_indices(index);
     bool has = listed && n.x != NONE;
     n = has ? n : uvec4(0u);
-    vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x) + b1 * fetch_normal(n.y)) + b2 * fetch_normal(n.z));
+    vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x).xyz + b1 * fetch_normal(n.y).xyz) + b2 * fetch_normal(n.z).xyz);
     s.ns = (has && interpolated != vec3(0.0)) ? interpolated : s.ng;
   }
   s.uv = vec2(b1, b2);
   if (TEXTURE_KINDS != 0u) {
-    uvec4 t = texcoord_indices_texel(index);
+    uvec4 t = fetch_texcoord_indices(index);
     bool has = listed && t.x != NONE;
     t = has ? t : uvec4(0u);
     vec2 interpolated = (b0 * fetch_texcoord(t.x) + b1 * fetch_texcoord(t.y)) + b2 * fetch_texcoord(t.z);

@@ -1,54 +1,18 @@
 // Where things are bound, and the specialization constants that fit a kernel to its scene.
 #ifndef FACET_SHARED_BINDINGS_H
 #define FACET_SHARED_BINDINGS_H
+#include "binding_list.h"
 #include "types.h"
 FACET_SHARED_BEGIN
 
 FACET_CONSTANT uint WORKGROUP_SIZE = 64u;
 
-// Scene (read only): texel buffers, or storage buffers where a device's texel buffers are too small.
-FACET_CONSTANT uint BINDING_BVH = 0u;
-FACET_CONSTANT uint BINDING_PAIRS = 1u;
-FACET_CONSTANT uint BINDING_NORMAL_INDICES = 2u;
-FACET_CONSTANT uint BINDING_NORMALS = 3u;
-FACET_CONSTANT uint BINDING_MESHES = 4u;
-FACET_CONSTANT uint BINDING_BSDFS = 5u;
-FACET_CONSTANT uint BINDING_EMITTERS = 6u;
-FACET_CONSTANT uint BINDING_EMITTER_TRIANGLES = 7u;
-FACET_CONSTANT uint BINDING_ENVIRONMENT_TEXELS = 8u;
-FACET_CONSTANT uint BINDING_ENVIRONMENT_ROWS = 9u;
-FACET_CONSTANT uint BINDING_ENVIRONMENT_COLUMNS = 10u;
-FACET_CONSTANT uint BINDING_FILTER = 11u;
-FACET_CONSTANT uint BINDING_TEXCOORD_INDICES = 12u;
-FACET_CONSTANT uint BINDING_TEXCOORDS = 13u;
-FACET_CONSTANT uint BINDING_TEXTURES = 14u;
-FACET_CONSTANT uint BINDING_TEXELS = 15u;
-FACET_CONSTANT uint BINDING_ALBEDOS = 16u;
-FACET_CONSTANT uint SCENE_BINDING_COUNT = 17u;
-FACET_CONSTANT uint BINDING_FRAME = 17u;
-// State of the paths in flight, and the film.
-FACET_CONSTANT uint BINDING_RAYS = 18u;
-FACET_CONSTANT uint BINDING_HITS = 19u;
-FACET_CONSTANT uint BINDING_PATHS = 20u;
-FACET_CONSTANT uint BINDING_FILM = 21u;
-FACET_CONSTANT uint BINDING_FILM_SQUARES = 22u;
-FACET_CONSTANT uint BINDING_QUEUES = 23u;
-FACET_CONSTANT uint BINDING_COUNTERS = 24u;
-FACET_CONSTANT uint BUFFER_BINDING_COUNT = 25u;
-// From the rays to the film's squares once more, as texels to read (records.glsl); not bound where texel
-// buffers are too small.
-FACET_CONSTANT uint BINDING_RAY_TEXELS = 25u;
-FACET_CONSTANT uint BINDING_HIT_TEXELS = 26u;
-FACET_CONSTANT uint BINDING_PATH_TEXELS = 27u;
-FACET_CONSTANT uint BINDING_FILM_TEXELS = 28u;
-FACET_CONSTANT uint BINDING_FILM_SQUARES_TEXELS = 29u;
-FACET_CONSTANT uint BINDING_COUNT = 30u;
-// Of the kernels that evaluate one BSDF alone, in the place of the frame and the paths.
-FACET_CONSTANT uint BINDING_EVALUATION = 17u;
-FACET_CONSTANT uint BINDING_QUERIES = 18u;
-FACET_CONSTANT uint BINDING_VALUES = 19u;
-FACET_CONSTANT uint BINDING_WEIGHTS = 20u;
-FACET_CONSTANT uint EVALUATION_BINDING_COUNT = 21u;
+// Numbers by name: BINDING_rays.
+#define FACET_NUMBER(number, kind, names, name, Record) FACET_CONSTANT uint BINDING_##names = number;
+FACET_BINDING_LIST(FACET_NUMBER)
+#undef FACET_NUMBER
+/// Number of the binding by which a state's records are read as texels, less that of the state.
+FACET_CONSTANT uint BINDING_TEXELS = 32u;
 
 // Specialization constants (constant_id).
 FACET_CONSTANT uint SPEC_STACK_SIZE = 0u;

@@ -4,8 +4,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "gpu/pipeline.h"
-#include "gpu/specialise.h"
+#include "gpu/commands.h"
 #include "support/render.h"
 
 namespace facet::test {
@@ -35,24 +34,17 @@ std::vector<std::uint32_t> read_words(const std::string& path) {
 
 /// outputs[i] = function(inputs[i]) by the kernel.
 Pairs evaluate(Function function, const Pairs& inputs) {
-  const std::vector<vk::DescriptorType> types(2, vk::DescriptorType::eStorageBuffer);
-  const gpu::Layout layout(device(), types, 4);
-  gpu::Buffer in(device(), inputs.size() * sizeof(glm::vec2),
-                 vk::BufferUsageFlagBits::eStorageBuffer, "inputs");
-  const gpu::Buffer out(device(), inputs.size() * sizeof(glm::vec2),
-                        vk::BufferUsageFlagBits::eStorageBuffer, "outputs");
+  gpu::Buffer in(device(), inputs.size() * sizeof(glm::vec2), "inputs");
+  const gpu::Buffer out(device(), inputs.size() * sizeof(glm::vec2), "outputs");
   in.upload(inputs);
-  const std::vector<gpu::Binding> bindings{{&in, nullptr}, {&out, nullptr}};
-  const gpu::BindingSet set(device(), layout, bindings);
-  const std::vector<std::uint32_t> code = read_words(FACET_TEST_KERNELS "/elementary.spv");
+  const gpu::Program program(device(), {{0, gpu::Access::storage}, {1, gpu::Access::storage}}, 4);
+  const gpu::BoundBuffers bound = program.bind({{0, &in}, {1, &out}});
   const std::vector<std::uint32_t> constants{function};
-  const auto pipeline = gpu::make_compute_pipeline(
-      device(), layout, gpu::specialise(code, constants, "elementary"), "elementary");
-  device().run([&](const vk::raii::CommandBuffer& c) {
-    c.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-    c.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline(), 0, set.handle(), {});
-    c.dispatch(static_cast<std::uint32_t>((inputs.size() + 63) / 64), 1, 1);
-    gpu::barrier(c);
+  const gpu::CompiledKernel kernel =
+      program.compile(read_words(FACET_TEST_KERNELS "/elementary.spv"), constants, "elementary");
+  device().run([&](gpu::Commands& c) {
+    c.bind(bound);
+    c.dispatch(kernel, std::uint32_t{0}, static_cast<std::uint32_t>((inputs.size() + 63) / 64));
   });
   Pairs outputs(inputs.size());
   out.download(std::as_writable_bytes(std::span(outputs)));

@@ -48,7 +48,7 @@ class Walk {
 
   void visit(std::size_t item) {
     ++counts.nodes;
-    const shared::BvhNode node = packed_.bvh.node(item);
+    const shared::BvhNode node = node_of(packed_.items[item]);
     const std::uint32_t header = node.lower_header.w;
     const std::size_t block = std::size_t{header >> shared::HEADER_INNER_BITS} * shared::BLOCK_SIZE;
     std::vector<Child> children = children_met(node);
@@ -70,7 +70,7 @@ class Walk {
 
   /// T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
   void intersect(std::uint32_t place) {
-    const TriangleCorners corners = packed_.bvh.triangle(place);
+    const TriangleCorners corners = packed_.triangle(place);
     const dvec3 a = corners[0];
     const dvec3 e1 = dvec3(corners[1]) - a;
     const dvec3 e2 = dvec3(corners[2]) - a;
@@ -132,7 +132,7 @@ MeanCounts count_visits(const Scene& scene, const PackedScene& packed) {
     mean.camera.nodes += walk.counts.nodes / (side * side);
     mean.camera.leaves += walk.counts.leaves / (side * side);
     if (walk.hit.triangle == none) continue;
-    const TriangleCorners t = packed.bvh.triangle(walk.hit.triangle);
+    const TriangleCorners t = packed.triangle(walk.hit.triangle);
     dvec3 n = glm::normalize(glm::cross(dvec3(t[1]) - dvec3(t[0]), dvec3(t[2]) - dvec3(t[0])));
     if (glm::dot(n, ray.direction) > 0) n = -n;
     // Spirals over the sphere that touches the surface: directions of density cos/pi.
@@ -170,7 +170,7 @@ TEST(TraversalCost, geometry_takes_so_many_bytes_a_triangle) {
   for (const std::size_t triangles : {1000U, 70'000U, 300'000U}) {
     const Scene scene = bench::generate_scene(triangles);
     const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
-    const auto bytes = static_cast<double>(packed.bvh.items.size() *
+    const auto bytes = static_cast<double>(packed.items.size() *
                                            (sizeof(shared::BvhItem) + sizeof(shared::PairRecord)));
     EXPECT_LE(bytes / static_cast<double>(packed.triangle_count()), 53) << triangles;
   }

@@ -189,7 +189,7 @@ TEST(Traversal, pairs_of_triangles_in_every_order) {
   set_camera(scene, 96, 60, {3, 3, -6}, {3, 3, 0});
   const PackedScene packed = pack_scene(scene, whole_image(scene, 1));
   const auto is_pair = [](const shared::PairRecord& pair) { return pair.name1 != 0; };
-  EXPECT_EQ(std::ranges::count_if(packed.bvh.pairs, is_pair), static_cast<std::ptrdiff_t>(squares));
+  EXPECT_EQ(std::ranges::count_if(packed.pairs, is_pair), static_cast<std::ptrdiff_t>(squares));
   expect_right_hits(scene, 1e-4, 3000);
 }
 
@@ -208,7 +208,7 @@ TEST(Traversal, triangles_name_their_meshes_even_in_pairs_of_two_meshes) {
   ASSERT_EQ(packed.triangle_count(), 41U);
   std::size_t mixed_pairs = 0;
   for (const std::uint32_t place : packed.bvh.places) {
-    const shared::PairRecord& pair = packed.bvh.pairs[place / 2];
+    const shared::PairRecord& pair = packed.pairs[place / 2];
     const std::uint32_t mesh = place % 2 == 0 ? pair.mesh0 : pair.mesh1;
     EXPECT_EQ(mesh, packed.scene_index(place) / 20);
     mixed_pairs += pair.name1 != 0 && pair.mesh0 != pair.mesh1 ? 1 : 0;

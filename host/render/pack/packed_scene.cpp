@@ -30,8 +30,11 @@ class Packer {
   PackedScene pack() {
     gather_triangles();
     const auto start = std::chrono::steady_clock::now();
-    packed_.bvh = build_bvh(corners_);
+    Bvh bvh = build_bvh(corners_);
     packed_.bvh_seconds = seconds_since(start);
+    packed_.items = std::move(bvh.items);
+    packed_.pairs = std::move(bvh.pairs);
+    packed_.bvh = std::move(bvh);
     name_triangles();
     pack_meshes();
     for (const Bsdf& bsdf : bsdfs_of(scene_, settings_)) packed_.bsdfs.push_back(pack_bsdf(bsdf));
@@ -41,7 +44,7 @@ class Packer {
     pack_albedos();
     pack_emitters();
     choose_square_scale();
-    packed_.filter = make_filter_table(scene_.camera.filter);
+    pack_filter();
     pack_frame();
     return std::move(packed_);
   }
@@ -107,13 +110,13 @@ class Packer {
   void name_triangles() {
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       const std::uint32_t place = packed_.bvh.places[s];
-      shared::PairRecord& pair = packed_.bvh.pairs[place / 2];
+      shared::PairRecord& pair = packed_.pairs[place / 2];
       std::uint32_t& name = place % 2 == 0 ? pair.name0 : pair.name1;
       name = (name & ~shared::NAME_INDEX_MASK) | sources_[s].id;
       (place % 2 == 0 ? pair.mesh0 : pair.mesh1) = sources_[s].mesh;
     }
     for (const CopiedLeaf& copy : packed_.bvh.copies)
-      packed_.bvh.pairs[copy.item] = packed_.bvh.pairs[copy.original];
+      packed_.pairs[copy.item] = packed_.pairs[copy.original];
   }
 
   /// Triangles of each area emitter with their cumulative counts and densities; returns the
@@ -164,13 +167,15 @@ class Packer {
   }
 
   double pack_environment(const EnvironmentEmitter& e) {
-    packed_.environment = make_environment_table(e);
+    EnvironmentTable table = make_environment_table(e);
+    packed_.environment_texels = std::move(table.texels);
+    packed_.environment_rows = std::move(table.rows);
+    packed_.environment_columns = std::move(table.columns);
     packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
     packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
     const double radius =
         sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
-    return 4 * std::numbers::pi * std::numbers::pi * radius * radius *
-           packed_.environment.mean_luminance;
+    return 4 * std::numbers::pi * std::numbers::pi * radius * radius * table.mean_luminance;
   }
 
   /// Turns powers into the weights of the scene's way to choose emitters (docs/sampling.md,
@@ -222,11 +227,21 @@ class Packer {
     for (const shared::EmitterRecord& e : packed_.emitters) {
       brightest = std::max({brightest, e.radiance.r, e.radiance.g, e.radiance.b});
     }
-    for (const glm::vec4& texel : packed_.environment.texels) {
+    for (const glm::vec4& texel : packed_.environment_texels) {
       brightest = std::max({brightest, texel.r, texel.g, texel.b});
     }
     packed_.frame.square_scale =
         brightest > 0 ? std::ldexp(1.0F, -std::clamp(std::ilogb(brightest), -100, 100)) : 1.0F;
+  }
+
+  /// Intervals: offset and |filter| at both ends of each.
+  void pack_filter() {
+    const FilterTable table = make_filter_table(scene_.camera.filter);
+    for (std::size_t i = 0; i < table.intervals(); ++i)
+      packed_.filter_intervals.emplace_back(table.quantiles[i], table.quantiles[i + 1]);
+    packed_.frame.filter_intervals = table.intervals();
+    packed_.frame.filter_crossing = table.crossing;
+    packed_.frame.filter_scale = table.scale;
   }
 
   void pack_frame() {
@@ -248,9 +263,6 @@ class Packer {
     f.seed = settings_.seed;
     const int limit = settings_.integrator.interaction_limit();
     f.max_depth = limit < 0 ? shared::NONE : static_cast<std::uint32_t>(limit);
-    f.filter_intervals = packed_.filter.intervals();
-    f.filter_crossing = packed_.filter.crossing;
-    f.filter_scale = packed_.filter.scale;
     constexpr double four_pi2 = 4 * std::numbers::pi * std::numbers::pi;
     f.simple_position = glm::vec4(settings_.integrator.position, 0);
     f.simple_energy = glm::vec4(vec3(dvec3(settings_.integrator.energy) / four_pi2), 0);

@@ -4,37 +4,64 @@
 
 #include "accel/bvh.h"
 #include "render/features.h"
-#include "render/pack/environment_table.h"
-#include "render/pack/filter_table.h"
 #include "scene/settings.h"
+#include "shared/binding_list.h"
 
 namespace facet {
 
-struct PackedScene {
+/// An array of a scene; large ones are not filled before they are written.
+template <typename Record>
+struct SceneArray {
+  using Type = std::vector<Record>;
+};
+template <>
+struct SceneArray<shared::BvhItem> {
+  using Type = UnfilledVector<shared::BvhItem>;
+};
+template <>
+struct SceneArray<shared::PairRecord> {
+  using Type = UnfilledVector<shared::PairRecord>;
+};
+
+namespace shared {
+
+/// What kernels read of a scene, by the list of bindings (shared/binding_list.h), in whose
+/// namespace the records have the list's names.
+struct SceneArrays {
+#define FACET_ARRAY_scene(names, Record) SceneArray<Record>::Type names;
+#define FACET_ARRAY_uniform(names, Record)
+#define FACET_ARRAY_state(names, Record)
+#define FACET_ARRAY_storage(names, Record)
+#define FACET_ARRAY(number, kind, names, name, Record) FACET_ARRAY_##kind(names, Record)
+  FACET_BINDING_LIST(FACET_ARRAY)
+#undef FACET_ARRAY
+#undef FACET_ARRAY_storage
+#undef FACET_ARRAY_state
+#undef FACET_ARRAY_uniform
+#undef FACET_ARRAY_scene
+};
+
+}  // namespace shared
+
+/// Triangles without area are left out of it. Of the arrays: normal and texture coordinate indices
+/// are a triangle's by MeshRecord::attributes, x = none: without; those of texture coordinates are
+/// empty where the scene has no textures, albedos where no BSDF gives back the energy of multiple
+/// scattering.
+struct PackedScene : shared::SceneArrays {
   RenderSettings settings;  ///< for which it is packed
   Features features;        ///< to which the kernels are specialised
-  Bvh bvh;                  ///< triangles without area are left out
-  std::vector<glm::uvec4>
-      normal_indices;              ///< a triangle's by MeshRecord::attributes; x = none: without
-  std::vector<glm::vec4> normals;  ///< xyz
-  std::vector<glm::uvec4> texcoord_indices;  ///< likewise; empty where the scene has no textures
-  std::vector<vec2> texcoords;
-  std::vector<shared::TextureRecord> textures;
-  std::vector<std::uint32_t> texels;
-  std::vector<float> albedos;  ///< empty where no BSDF gives back the energy of multiple scattering
-  std::vector<shared::MeshRecord> meshes;
-  std::vector<shared::BsdfRecord> bsdfs;
-  std::vector<shared::EmitterRecord> emitters;
-  std::vector<shared::EmitterTriangle> emitter_triangles;
-  EnvironmentTable environment;
-  FilterTable filter;
+  BvhFacts bvh;             ///< of the items and pairs
   shared::FrameRecord frame{};
   double bvh_seconds = 0;
 
   [[nodiscard]] std::size_t triangle_count() const { return bvh.places.size(); }
+  /// The triangle at a place of the BVH, its corners in the scene's order.
+  [[nodiscard]] TriangleCorners triangle(std::uint32_t place) const {
+    return triangle_at(place, items, pairs);
+  }
   /// Index in the scene, in order of reading, of the triangle at a place of the BVH.
   [[nodiscard]] std::uint32_t scene_index(std::uint32_t place) const {
-    const shared::PairRecord& pair = bvh.pairs[place / 2];
+    const shared::PairRecord& pair = pairs[place / 2];
     return (place % 2 == 0 ? pair.name0 : pair.name1) & shared::NAME_INDEX_MASK;
   }
 };

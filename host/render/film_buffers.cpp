@@ -1,0 +1,71 @@
+#include "render/film_buffers.h"
+
+#include <algorithm>
+
+namespace facet {
+
+namespace {
+
+/// The sums that a record keeps as hi + lo.
+std::array<double, 3> whole_sums(const shared::FilmRecord& r) {
+  return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g,
+          static_cast<double>(r.hi_b) + r.lo_b};
+}
+
+}  // namespace
+
+FilmBuffers::FilmBuffers(gpu::Device& device, std::uint32_t pixel_count, bool with_squares)
+    : pixel_count_(pixel_count), with_squares_(with_squares) {
+  constexpr std::uint64_t record = sizeof(shared::FilmRecord);
+  const gpu::Device::Limits& limits = device.limits();
+  const auto largest = static_cast<std::uint32_t>(
+      std::min(limits.storage_buffer_bytes / record,
+               limits.texel_buffer_texels * sizeof(glm::uvec4) / record));
+  for (std::uint32_t first = 0; first < pixel_count;) {
+    const std::uint32_t count = std::min(largest, pixel_count - first);
+    pieces_.push_back({first, count});
+    sums_.emplace_back(device, count * record, "the film").clear();
+    squares_.emplace_back(device, with_squares ? count * record : 0, "the film's variance").clear();
+    first += count;
+  }
+}
+
+void FilmBuffers::add_to(gpu::BufferMap& map, std::size_t piece) const {
+  map[shared::BINDING_film] = &sums_[piece];
+  map[shared::BINDING_film_squares] = &squares_[piece];
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> FilmBuffers::pixel_ranges(
+    std::size_t piece, std::uint32_t most) const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+  const auto [begin, pixels] = pieces_[piece];
+  const std::uint32_t passes = (pixels + most - 1) / most;
+  const std::uint32_t even = (pixels + passes - 1) / passes;
+  const std::uint32_t size = std::min(most, workgroups(even) * shared::WORKGROUP_SIZE);
+  for (std::uint32_t first = begin; first < begin + pixels;) {
+    const std::uint32_t count = std::min(size, begin + pixels - first);
+    ranges.emplace_back(first, count);
+    first += count;
+  }
+  return ranges;
+}
+
+void FilmBuffers::read(Film& film, float square_scale) const {
+  const double unscale = 1 / (static_cast<double>(square_scale) * square_scale);
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const auto [first, count] = pieces_[p];
+    const auto sums = sums_[p].download<shared::FilmRecord>(count);
+    const auto squares = squares_[p].download<shared::FilmRecord>(with_squares_ ? count : 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      PixelSums& pixel = film.pixels[first + i];
+      pixel.values = whole_sums(sums[i]);
+      pixel.samples = sums[i].samples;
+      pixel.nonzero = sums[i].nonzero;
+      if (!with_squares_) continue;
+      pixel.squares = whole_sums(squares[i]);
+      for (double& s : pixel.squares) s *= unscale;
+    }
+  }
+}
+
+}  // namespace facet
