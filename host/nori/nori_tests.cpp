@@ -5,16 +5,14 @@
 #include <numeric>
 
 #include "statistics/hypothesis.h"
+#include "statistics/pearson.h"
 
 namespace facet::nori {
 
 using statistics::BsdfDraw;
-using statistics::BsdfValue;
-using statistics::chi_squared_survival;
-using statistics::DirectionPair;
-using statistics::integrate_expected;
-using statistics::sphere_point;
-using statistics::SpherePoint;
+using statistics::Count;
+using statistics::Pearson;
+using statistics::Pilot;
 using statistics::student_p_value;
 
 namespace {
@@ -23,6 +21,10 @@ namespace {
 constexpr std::uint32_t samples_per_call = 1U << 20U;
 /// Samples whose directions guide the integration.
 constexpr std::size_t guiding_samples = 1U << 17U;
+/// By which a cell of the integration may be off.
+constexpr double tolerated_samples = 0.5;
+/// Of the density, at most.
+constexpr std::uint64_t most_evaluations = 4'000'000;
 constexpr double most_pixels = 1U << 18U;
 /// Nori's least variance, for a reference of 1.
 constexpr double least_variance = 1e-5;
@@ -58,37 +60,6 @@ struct Moments {
   }
   [[nodiscard]] double variance() const { return count > 1 ? squares / (count - 1) : 0; }
 };
-
-/// Bins of at least some expectation: those of less are pooled, smallest first.
-struct Pooled {
-  double statistic = 0;
-  int bins = 0;
-  bool impossible = false;  ///< samples where none is expected
-
-  void add(double observed, double expected) {
-    statistic += (observed - expected) * (observed - expected) / expected;
-    ++bins;
-  }
-};
-
-Pooled pool(std::vector<std::pair<double, double>> bins, double least, double samples) {
-  std::sort(bins.begin(), bins.end());
-  Pooled result;
-  double pool_expected = 0;
-  double pool_observed = 0;
-  for (const auto& [expected, observed] : bins) {
-    if (!(expected > 0)) {
-      result.impossible = result.impossible || observed > samples * forgiven_share;
-    } else if (expected < least || (pool_expected > 0 && pool_expected < least)) {
-      pool_expected += expected;
-      pool_observed += observed;
-    } else {
-      result.add(observed, expected);
-    }
-  }
-  if (pool_expected > 0) result.add(pool_observed, pool_expected);
-  return result;
-}
 
 }  // namespace
 
@@ -181,23 +152,28 @@ std::optional<SphereHistogram> make_histogram(BsdfEvaluator& bsdf, const vec3& w
                                               std::uint32_t count, std::uint32_t seed) {
   SphereHistogram histogram(resolution, 2 * resolution);
   histogram.samples = count;
-  std::vector<SpherePoint> points;
+  const statistics::SphereCoordinates coordinates;
+  std::vector<Pilot> pilots;
+  std::vector<statistics::DirectionPair> pairs;
   for_each_draw(bsdf, wo, count, seed, [&](const BsdfDraw& draw) {
     if (draw.weight == vec3(0) || draw.pdf < 0) return;
-    const SpherePoint p = sphere_point(draw.wi);
-    histogram.observed[histogram.bin(p.cosine, p.phi)] += 1;
-    if (points.size() < guiding_samples) points.push_back(p);
+    const statistics::Coordinates at = coordinates.of(draw.wi);
+    histogram.observed[histogram.bin(at)] += 1;
+    if (pilots.size() == guiding_samples) return;
+    pilots.push_back({at, 0});
+    pairs.push_back({wo, draw.wi});
   });
-  const auto density = [&](std::span<const vec3> directions) {
-    std::vector<DirectionPair> pairs;
-    pairs.reserve(directions.size());
-    for (const vec3& wi : directions) pairs.push_back({wo, wi});
-    std::vector<double> pdfs;
-    pdfs.reserve(pairs.size());
-    for (const BsdfValue& value : bsdf.evaluate(pairs)) pdfs.push_back(value.pdf);
-    return pdfs;
-  };
-  if (!integrate_expected(histogram, density, std::move(points))) return std::nullopt;
+  // By the density that is integrated, whatever samples say of their own.
+  const std::vector<statistics::BsdfValue> values = bsdf.evaluate(pairs);
+  for (std::size_t i = 0; i < pilots.size(); ++i) pilots[i].pdf = values[i].pdf;
+  statistics::QuadratureOptions options;
+  options.most_evaluations = most_evaluations;
+  options.tolerance = std::min(options.tolerance, tolerated_samples / count);
+  const statistics::DensityIntegral integral = statistics::integrate_density(
+      bsdf, wo, coordinates, histogram.cells(pilots), histogram.expected.size(), options);
+  if (integral.error > unit_tolerance) return std::nullopt;
+  for (std::size_t i = 0; i < histogram.expected.size(); ++i)
+    histogram.expected[i] = integral.bins[i] * count;
   return histogram;
 }
 
@@ -209,20 +185,20 @@ Verdict chi_squared_test(const SphereHistogram& h, double least_expected, double
     v.note = fmt::format("the density integrates to {:.6g}, more than 1", expected / h.samples);
     return v;
   }
-  std::vector<std::pair<double, double>> bins;
+  std::vector<Count> bins;
   for (std::size_t i = 0; i < h.expected.size(); ++i)
-    bins.emplace_back(h.expected[i], h.observed[i]);
+    bins.push_back({h.expected[i], h.observed[i]});
   if (expected < h.samples * (1 - unit_tolerance))
-    bins.emplace_back(h.samples - expected, h.samples - observed);
-  const Pooled pooled = pool(std::move(bins), least_expected, h.samples);
-  v.statistic = pooled.statistic;
-  v.degrees = pooled.bins - 1;
-  if (pooled.impossible) {
+    bins.push_back({h.samples - expected, h.samples - observed});
+  const Pearson pearson(std::move(bins), least_expected, h.samples * forgiven_share);
+  v.statistic = pearson.statistic();
+  v.degrees = pearson.degrees();
+  if (pearson.has_impossible()) {
     v.note = "samples fall where the density is 0";
-  } else if (pooled.bins < 2) {
+  } else if (v.degrees < 1) {
     v.note = "nothing to test: all samples belong to one bin or to delta lobes";
   } else {
-    v.p_value = chi_squared_survival(v.statistic, v.degrees);
+    v.p_value = pearson.p_value();
     v.passed = v.p_value >= significance;
   }
   return v;

@@ -6,15 +6,14 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "statistics/hypothesis.h"
-#include "statistics/pdf_integral.h"
+#include "statistics/direction_bins.h"
+#include "statistics/pearson.h"
 
 namespace facet::statistics {
 
 namespace {
 
-/// Expected counts below this are pooled (W. Cochran, "Some Methods for Strengthening the Common
-/// Chi-Squared Tests", 1954).
+/// Expected counts below this are pooled.
 constexpr double least_expected = 5;
 /// Mass that quadrature may miss between its points, and that rounded densities may hide.
 constexpr double unseen = 1e-4;
@@ -105,46 +104,6 @@ std::vector<BsdfDraw> accepted(std::vector<BsdfDraw> draws) {
   return draws;
 }
 
-/// Adds up (observed - expected)^2 / expected.
-class Chi2Sum {
- public:
-  void add(double observed, double expected) {
-    if (!(expected >= least_expected)) {
-      pool_observed_ += observed;
-      pool_expected_ += expected;
-      return;
-    }
-    add_term(observed - expected, expected);
-    ++populated_;
-  }
-  /// A difference that may be off by `slack` in the expected count.
-  void add_rest(double observed, double expected, double slack) {
-    const double difference = std::max(0.0, std::abs(observed - expected) - slack);
-    add_term(difference, std::max(expected, least_expected));
-  }
-  void finish(Chi2Result& result) {
-    // What is rarer than the approximation wants counts as if it were not: it then weighs too
-    // little, never too much.
-    add_term(pool_observed_ - pool_expected_, std::max(pool_expected_, least_expected));
-    result.statistic = statistic_;
-    result.populated_bins = populated_;
-    // Bins, the pool and the rest: their sum is given.
-    result.degrees = populated_ + (pool_expected_ >= least_expected ? 1 : 0);
-    result.p_value =
-        std::isfinite(statistic_) ? chi_squared_survival(statistic_, result.degrees) : 0;
-  }
-
- private:
-  void add_term(double difference, double variance) {
-    statistic_ += difference * difference / variance;
-  }
-
-  double statistic_ = 0;
-  double pool_observed_ = 0;
-  double pool_expected_ = 0;
-  std::uint32_t populated_ = 0;
-};
-
 void set_weight(Chi2Result& result, const Tally& tally, double samples) {
   result.weight.mean = tally.sum / samples;
   const dvec3 variance =
@@ -170,7 +129,8 @@ Chi2Result test_sampling(BsdfEvaluator& evaluator, const vec3& wo, const Chi2Opt
   const std::vector<BsdfDraw> pilots =
       accepted(evaluator.sample(wo, options.pilots, options.seed + 1));
   const DirectionBins bins(wo, pilots, options.bins);
-  const PdfIntegral integral = integrate_pdf(evaluator, wo, bins);
+  const DensityIntegral integral =
+      integrate_density(evaluator, wo, bins.coordinates(), bins.cells(), bins.bin_count());
   const Tally tally = count_samples(evaluator.sample(wo, options.samples, options.seed), bins,
                                     wo.z < 0 ? -1.0F : 1.0F, options.transmission_scale);
   const double samples = options.samples;
@@ -182,14 +142,18 @@ Chi2Result test_sampling(BsdfEvaluator& evaluator, const vec3& wo, const Chi2Opt
   result.bad_samples = tally.bad;
   result.deltas = tally.deltas;
   set_weight(result, tally, samples);
-  Chi2Sum sum;
+  std::vector<Count> counts;
   for (std::size_t i = 0; i < tally.bins.size(); ++i)
-    sum.add(static_cast<double>(tally.bins[i]), integral.bins[i] * samples);
+    counts.push_back({integral.bins[i] * samples, static_cast<double>(tally.bins[i])});
   std::uint64_t rest = tally.rejected;
   for (const DeltaDirection& d : tally.deltas) rest += d.count;
-  sum.add_rest(static_cast<double>(rest), std::max(0.0, 1 - integral.total) * samples,
-               result.integral_error * samples);
-  sum.finish(result);
+  Pearson pearson(std::move(counts), least_expected);
+  pearson.add_rest({std::max(0.0, 1 - integral.total) * samples, static_cast<double>(rest)},
+                   result.integral_error * samples);
+  result.statistic = pearson.statistic();
+  result.degrees = pearson.degrees();
+  result.populated_bins = pearson.populated();
+  result.p_value = pearson.p_value();
   result.fault = find_fault(result, options, significance);
   return result;
 }

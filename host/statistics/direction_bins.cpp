@@ -83,16 +83,12 @@ Rectangle widened(const Rectangle& area, const Rectangle& box) {
 
 }  // namespace
 
-DirectionBins::DirectionBins(const vec3& wo, std::span<const BsdfDraw> pilots, std::uint32_t bins) {
-  const double radius = std::hypot(static_cast<double>(wo.x), static_cast<double>(wo.y));
-  if (radius > 0) {
-    axis_x_ = -static_cast<double>(wo.x) / radius;
-    axis_y_ = -static_cast<double>(wo.y) / radius;
-  }
+DirectionBins::DirectionBins(const vec3& wo, std::span<const BsdfDraw> pilots, std::uint32_t bins)
+    : coordinates_(wo) {
   std::vector<Pilot> points;
   points.reserve(pilots.size());
   for (const BsdfDraw& d : pilots)
-    points.push_back({coordinates(d.wi), static_cast<double>(d.pdf)});
+    points.push_back({coordinates_.of(d.wi), static_cast<double>(d.pdf)});
   const auto above =
       std::partition(points.begin(), points.end(), [](const Pilot& p) { return p.at.side == 0; });
   const std::span<Pilot> all(points);
@@ -174,29 +170,8 @@ void DirectionBins::add_frame(const Rectangle& outer, const Rectangle& inner,
   }
 }
 
-Coordinates DirectionBins::coordinates(const vec3& w) const {
-  const double x = w.x;
-  const double y = w.y;
-  const double height = std::abs(static_cast<double>(w.z));
-  Coordinates c;
-  c.side = w.z >= 0 ? 0 : 1;
-  // 1 - |z| cancels near the pole; the other form carries the rounding of x and y where z is small.
-  c.v = height > 0.5 ? (x * x + y * y) / (1 + height) : 1 - height;
-  c.phi = std::atan2(y * axis_x_ - x * axis_y_, x * axis_x_ + y * axis_y_);
-  return c;
-}
-
-vec3 DirectionBins::direction(const Coordinates& c) const {
-  const double radius = std::sqrt(c.v * (2 - c.v));
-  const double along = radius * std::cos(c.phi);
-  const double across = radius * std::sin(c.phi);
-  const double z = c.side == 0 ? 1 - c.v : c.v - 1;
-  return {static_cast<float>(along * axis_x_ - across * axis_y_),
-          static_cast<float>(along * axis_y_ + across * axis_x_), static_cast<float>(z)};
-}
-
 std::uint32_t DirectionBins::bin_of(const vec3& w) const {
-  const Coordinates c = coordinates(w);
+  const Coordinates c = coordinates_.of(w);
   const Node* node = &nodes_[roots_[static_cast<std::size_t>(c.side)]];
   while (node->axis >= 0)
     node = &nodes_[coordinate(c, node->axis) < node->split ? node->below : node->above];

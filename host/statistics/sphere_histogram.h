@@ -1,10 +1,8 @@
 #pragma once
-// Directions on the sphere, counted in bins and expected from a density.
-#include <functional>
-#include <span>
+// Directions on the sphere, counted in a grid of bins.
 #include <vector>
 
-#include "core/maths.h"
+#include "statistics/density_integral.h"
 
 namespace facet::statistics {
 
@@ -18,27 +16,11 @@ struct SphereHistogram {
   std::vector<double> expected;
 
   SphereHistogram(int row_count, int column_count);
-  /// The bin of a unit direction.
-  [[nodiscard]] std::size_t bin(double cosine, double phi) const;
+  /// The bin of a direction, whose azimuth counts from the x axis.
+  [[nodiscard]] std::size_t bin(const Coordinates& direction) const;
+  /// The bins as cells for integrate_density, each with the pilots that lie in it. A bin that
+  /// straddles the horizon, where densities end, is two cells.
+  [[nodiscard]] std::vector<Cell> cells(const std::vector<Pilot>& pilots) const;
 };
-
-/// A direction's coordinates on the histogram.
-struct SpherePoint {
-  double cosine = 0;
-  double phi = 0;  ///< [0, 2 pi)
-};
-
-/// Precise near the poles, too, where the z of a float direction says little about its angle.
-[[nodiscard]] SpherePoint sphere_point(const vec3& direction);
-
-/// Densities (sr^-1) of many unit directions.
-using Density = std::function<std::vector<double>(std::span<const vec3> directions)>;
-
-/// Sets `expected` to samples times the density's integral over each bin: Gauss-Legendre quadrature
-/// of 3x3 points over cells that are quartered until quartering no longer matters. A narrow peak is
-/// found by what fell there: cells are quartered, too, while they hold more than a small share of
-/// `points`. Returns false where the density is too rough to be integrated.
-[[nodiscard]] bool integrate_expected(SphereHistogram& histogram, const Density& density,
-                                      std::vector<SpherePoint> points);
 
 }  // namespace facet::statistics

@@ -12,10 +12,6 @@
 
 namespace facet::nori {
 
-using statistics::integrate_expected;
-using statistics::sphere_point;
-using statistics::SpherePoint;
-
 namespace {
 
 constexpr std::uint32_t many = 200000;
@@ -92,6 +88,27 @@ TEST(ChiSquared, FindsNarrowPeaks) {
   const double expected =
       std::accumulate(histogram->expected.begin(), histogram->expected.end(), 0.0);
   EXPECT_NEAR(expected / histogram->samples, 1, 1e-4);
+}
+
+/// Claims noise.
+class NoisyLobe : public Lobe {
+ public:
+  std::vector<BsdfValue> evaluate(std::span<const DirectionPair> pairs) override {
+    std::vector<BsdfValue> values;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      state_ = state_ * 1664525U + 1013904223U;
+      values.push_back({vec3(0), static_cast<float>(state_ >> 8U) * 0x1p-24F});
+    }
+    return values;
+  }
+
+ private:
+  std::uint32_t state_ = 1;
+};
+
+TEST(ChiSquared, AnIntegralThatDoesNotSettleIsNone) {
+  NoisyLobe lobe;
+  EXPECT_FALSE(make_histogram(lobe, vec3(0, 0, 1), 3, 1000, 1));
 }
 
 TEST(ChiSquared, SamplesWhereNoneIsExpected) {

@@ -1,4 +1,4 @@
-#include "statistics/pdf_integral.h"
+#include "statistics/density_integral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,7 @@ namespace facet::statistics {
 
 namespace {
 
-/// Difference of a cell's two estimates that is small enough, as a share of all samples.
-constexpr double tolerance = 5e-7;
 constexpr int most_rounds = 26;
-constexpr std::uint64_t most_evaluations = 8'000'000;
 
 struct Estimated {
   Cell cell;
@@ -20,15 +17,15 @@ struct Estimated {
   double corner = 0;  ///< and close to its corners
 };
 
-double area_of(const Rectangle& a) { return (a.upper[0] - a.lower[0]) * (a.upper[1] - a.lower[1]); }
-
-/// Whether some density stands out: that of a sample, whose peak lies between the points, or that
-/// of a corner, where a density that ends with a step (GGX at grazing normals) reaches into the
-/// cell but to no Gauss point.
-bool has_missed_peak(const Estimated& e) {
-  const auto stands_out = [&](double pdf) { return pdf > 4 * e.peak; };
-  if (stands_out(e.corner) && e.corner * area_of(e.cell.area) > tolerance) return true;
-  return std::ranges::any_of(e.cell.pilots, [&](const Pilot& p) { return stands_out(p.pdf); });
+/// Whether some density stands out, and would matter if all of the cell had it: that of a sample,
+/// whose peak lies between the points, or that of a corner, where a density that ends with a step
+/// (GGX at grazing normals) reaches into the cell but to no Gauss point.
+bool has_missed_peak(const Estimated& e, double tolerance) {
+  const auto stands_out = [&](double pdf) {
+    return pdf > 4 * e.peak && pdf * e.cell.area.area() > tolerance;
+  };
+  return stands_out(e.corner) ||
+         std::ranges::any_of(e.cell.pilots, [&](const Pilot& p) { return stands_out(p.pdf); });
 }
 
 std::array<Cell, 4> quarters(const Cell& cell) {
@@ -54,8 +51,8 @@ std::array<Cell, 4> quarters(const Cell& cell) {
 
 class Quadrature {
  public:
-  Quadrature(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins)
-      : evaluator_(evaluator), wo_(wo), bins_(bins) {}
+  Quadrature(BsdfEvaluator& evaluator, const vec3& wo, const SphereCoordinates& coordinates)
+      : evaluator_(evaluator), wo_(wo), coordinates_(coordinates) {}
 
   /// Mass of every cell by three times three Gauss points, and a look at its corners.
   std::vector<Estimated> estimate(std::vector<Cell> cells) {
@@ -77,16 +74,16 @@ class Quadrature {
       double corner = 0;
       for (std::size_t k = 9; k < point_count; ++k)
         corner = std::max(corner, static_cast<double>(values[point_count * i + k].pdf));
-      result[i] = {std::move(cells[i]), sum * area_of(a), peak, corner};
+      result[i] = {std::move(cells[i]), sum * a.area(), peak, corner};
     }
     return result;
   }
 
+  static constexpr std::size_t point_count = 9 + 4;  ///< of a cell
   std::uint64_t evaluations = 0;
 
  private:
   static constexpr std::array<double, 3> weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
-  static constexpr std::size_t point_count = 9 + 4;
 
   void add_points(const Rectangle& a, std::vector<DirectionPair>& pairs) const {
     static const std::array<double, 3> gauss{0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
@@ -102,36 +99,42 @@ class Quadrature {
       for (const double y : shares) {
         const Coordinates c{a.side, a.lower[0] + x * (a.upper[0] - a.lower[0]),
                             a.lower[1] + y * (a.upper[1] - a.lower[1])};
-        pairs.push_back({wo_, bins_.direction(c)});
+        pairs.push_back({wo_, coordinates_.direction(c)});
       }
     }
   }
 
   BsdfEvaluator& evaluator_;
   vec3 wo_;
-  const DirectionBins& bins_;
+  const SphereCoordinates& coordinates_;
 };
 
 }  // namespace
 
-PdfIntegral integrate_pdf(BsdfEvaluator& evaluator, const vec3& wo, const DirectionBins& bins) {
-  PdfIntegral result;
-  result.bins.resize(bins.bin_count());
-  Quadrature quadrature(evaluator, wo, bins);
-  std::vector<Estimated> open = quadrature.estimate(bins.cells());
+DensityIntegral integrate_density(BsdfEvaluator& evaluator, const vec3& wo,
+                                  const SphereCoordinates& coordinates, std::vector<Cell> cells,
+                                  std::size_t bin_count, const QuadratureOptions& options) {
+  DensityIntegral result;
+  result.bins.resize(bin_count);
+  Quadrature quadrature(evaluator, wo, coordinates);
+  std::vector<Estimated> open = quadrature.estimate(std::move(cells));
   for (int round = 1; !open.empty(); ++round) {
-    const bool last = round == most_rounds || quadrature.evaluations > most_evaluations;
-    std::vector<Cell> cells;
-    cells.reserve(open.size() * 4);
-    for (const Estimated& e : open) std::ranges::move(quarters(e.cell), std::back_inserter(cells));
-    std::vector<Estimated> finer = quadrature.estimate(std::move(cells));
+    // This round, and one after it in which every cell is still open.
+    const std::uint64_t needed = 5 * 4 * Quadrature::point_count * open.size();
+    const bool last =
+        round == most_rounds || quadrature.evaluations + needed > options.most_evaluations;
+    std::vector<Cell> fine;
+    fine.reserve(open.size() * 4);
+    for (const Estimated& e : open) std::ranges::move(quarters(e.cell), std::back_inserter(fine));
+    std::vector<Estimated> finer = quadrature.estimate(std::move(fine));
     std::vector<Estimated> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const std::span<Estimated> parts = std::span(finer).subspan(4 * i, 4);
       const double mass = parts[0].mass + parts[1].mass + parts[2].mass + parts[3].mass;
       const double difference = std::abs(mass - open[i].mass);
-      const bool missed = std::ranges::any_of(parts, has_missed_peak);
-      if (!last && (difference > tolerance || missed)) {
+      const bool missed = std::ranges::any_of(
+          parts, [&](const Estimated& e) { return has_missed_peak(e, options.tolerance); });
+      if (!last && (difference > options.tolerance || missed)) {
         std::ranges::move(parts, std::back_inserter(next));
         continue;
       }
