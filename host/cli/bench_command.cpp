@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "bench/mesh.h"
 #include "bench/yardstick.h"
@@ -89,7 +90,8 @@ class BenchJob {
       render(name, scenes[i]);
     }
     if (options_.growth && !was_interrupted()) grow();
-    if (!options_.json.empty()) write_text(options_.json, report::bench_json(report_) + '\n');
+    if (!options_.json.empty())
+      write_text(options_.json, report::bench_json(report_).dump(1) + '\n');
     if (!options_.html.empty()) report::write_bench_page(options_.html, report_);
     return was_interrupted() ? ExitCode::interrupted : ExitCode::done;
   }

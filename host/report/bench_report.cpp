@@ -131,7 +131,7 @@ std::string text_of(const bench::GrowthSeries& series) {
   return text;
 }
 
-std::string bench_json(const BenchReport& report) {
+ordered_json bench_json(const BenchReport& report) {
   ordered_json j{{"device", report.device},
                  {"driver", report.driver},
                  {"threads", thread_count()},
@@ -146,7 +146,7 @@ std::string bench_json(const BenchReport& report) {
   }
   for (const bench::RenderRow& r : report.renders) j["render"].push_back(render_json(r));
   for (const bench::GrowthSeries& s : report.growth) j["growth"].push_back(growth_json(s));
-  return j.dump(1);
+  return j;
 }
 
 }  // namespace facet::report

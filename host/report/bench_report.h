@@ -31,6 +31,6 @@ struct BenchReport {
 
 /// {"device", "driver", "threads", "yardstick", "traversal", "build", "render", "growth"}: rays in
 /// millions a second.
-[[nodiscard]] std::string bench_json(const BenchReport& report);
+[[nodiscard]] nlohmann::ordered_json bench_json(const BenchReport& report);
 
 }  // namespace facet::report

@@ -9,7 +9,8 @@
 #include "core/error.h"
 #include "core/text_file.h"
 #include "report/compare_report.h"
-#include "report/html.h"
+#include "report/histogram.h"
+#include "report/page.h"
 #include "report/pages/page_text.h"
 #include "version.h"
 
@@ -87,168 +88,69 @@ float half_scale(const Image& a, const Image& b) {
              : 1.F;
 }
 
-class ComparePage {
- public:
-  ComparePage(const CompareOptions& options, const Comparison& comparison)
-      : o_(options), c_(comparison) {
-    relative_.reserve(c_.errors.terms.size());
-    for (const double term : c_.errors.terms) relative_.push_back(std::sqrt(term));
-  }
-
-  [[nodiscard]] std::string html() const {
-    return fill_template(
-        page_text::compare_html,
-        {{"style", std::string(page_text::page_css) + std::string(page_text::compare_css)},
-         {"script", std::string(page_text::compare_js)},
-         {"image", escape_html(o_.image)},
-         {"reference", escape_html(o_.reference)},
-         {"size", fmt::format("{} × {}", c_.image.width(), c_.image.height())},
-         {"width", fmt::format("{}", c_.image.width())},
-         {"height", fmt::format("{}", c_.image.height())},
-         {"verdict", verdict()},
-         {"metrics", metrics()},
-         {"histograms", histograms()},
-         {"worst", worst()},
-         {"origins", origins()},
-         {"version", FACET_VERSION},
-         {"data", data().dump()}});
-  }
-
- private:
-  [[nodiscard]] std::string verdict() const {
-    std::string html;
-    for (const std::string& warning : c_.warnings)
-      html += fmt::format("<p class=\"warning\">Warning: {}.</p>\n", escape_html(warning));
-    if (!o_.has_thresholds()) return html;
-    if (c_.violations.empty()) return html + "<p class=\"holds\">Every threshold holds.</p>\n";
-    html += "<div class=\"fails\"><p>Thresholds that do not hold:</p><ul>";
-    for (const std::string& violation : c_.violations)
-      html += fmt::format("<li>{}</li>", escape_html(violation));
-    return html + "</ul></div>\n";
-  }
-
-  [[nodiscard]] std::string metrics() const {
-    std::string html;
-    for (const MetricRow& row : metric_rows(o_, c_)) {
-      html +=
-          fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td></tr>\n",
-                      escape_html(row.name), escape_html(row.value), escape_html(row.note));
+/// The headers side by side: [{"key", "a", "b"}].
+nlohmann::ordered_json origins(const Comparison& c) {
+  std::vector<std::string> keys;
+  for (const Image* image : {&c.image, &c.reference}) {
+    for (const auto& entry : image->metadata) {
+      if (std::find(keys.begin(), keys.end(), entry.first) == keys.end())
+        keys.push_back(entry.first);
     }
-    return html;
   }
+  const auto text = [](const Image& image, const std::string& key) {
+    const std::string* found = find_metadata(image.metadata, key);
+    return found != nullptr ? *found : "";
+  };
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::string& key : keys)
+    list.push_back({{"key", key}, {"a", text(c.image, key)}, {"b", text(c.reference, key)}});
+  return list;
+}
 
-  [[nodiscard]] std::string histograms() const {
-    const std::vector<double> flip(c_.flip.map.begin(), c_.flip.map.end());
-    return svg_histogram({"Relative error", "relative error of the pixel", true,
-                          std::sqrt(c_.errors.relmse), "√relMSE"},
-                         relative_) +
-           svg_histogram({"FLIP", "difference seen at the pixel", false, c_.flip.mean, "mean"},
-                         flip);
-  }
+nlohmann::ordered_json metrics(const CompareOptions& options, const Comparison& c) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const MetricRow& row : metric_rows(options, c))
+    list.push_back({{"name", row.name}, {"value", row.value}, {"note", row.note}});
+  return list;
+}
 
-  [[nodiscard]] static std::string triple(const Image& image, std::size_t i) {
-    const auto planes = rgb_planes(image);
-    return fmt::format("{:.6g} {:.6g} {:.6g}", planes[0][i], planes[1][i], planes[2][i]);
-  }
-
-  [[nodiscard]] static std::string rerun(const char* label, const Image& image,
-                                         const ParsedRecord& record, int x, int y) {
-    const ImageSize size{image.window.full_width, image.window.full_height};
-    std::string command = escape_html(rerun_command(record, size, x, y));
-    if (command.empty()) return "";
-    // Lines break between options only.
-    for (std::size_t i = command.find(" --"); i != std::string::npos; i = command.find(" --", i)) {
-      constexpr std::string_view between = "</span> <span>";
-      command.replace(i, 1, between);
-      i += between.size();
-    }
-    return fmt::format("<div><b class=\"tag\">{}</b> <code><span>{}</span></code></div>", label,
-                       command);
-  }
-
-  /// Two rows a pixel: its values, and the commands that render it again.
-  [[nodiscard]] std::string worst_pixel(std::size_t i) const {
-    const auto x = static_cast<int>(i % static_cast<std::size_t>(c_.image.width()));
-    const auto y = static_cast<int>(i / static_cast<std::size_t>(c_.image.width()));
-    const int full_x = x + c_.image.window.x;
-    const int full_y = y + c_.image.window.y;
-    const std::string commands = rerun("A", c_.image, c_.image_record, full_x, full_y) +
-                                 rerun("B", c_.reference, c_.reference_record, full_x, full_y);
-    std::string html = fmt::format(
-        "<tr{}><th scope=\"row\"><button type=\"button\" class=\"goto\" data-x=\"{}\" "
-        "data-y=\"{}\">{}, "
-        "{}</button></th>",
-        commands.empty() ? "" : " class=\"values\"", x, y, full_x, full_y);
-    for (const std::string& value :
-         {triple(c_.image, i), triple(c_.reference, i), fmt::format("{:.4g}", relative_[i]),
-          fmt::format("{:.3f}", c_.flip.map[i])})
-      html += fmt::format("<td class=\"number\">{}</td>", value);
-    html += "</tr>\n";
-    if (!commands.empty())
-      html +=
-          fmt::format("<tr class=\"commands\"><td></td><td colspan=\"4\">{}</td></tr>\n", commands);
-    return html;
-  }
-
-  [[nodiscard]] std::string worst() const {
-    std::string html;
-    for (const std::size_t i : worst_pixels(c_.errors, 12)) html += worst_pixel(i);
-    return html.empty() ? "<tr><td colspan=\"5\">No pixel differs.</td></tr>" : html;
-  }
-
-  /// The headers side by side.
-  [[nodiscard]] std::string origins() const {
-    std::vector<std::string> keys;
-    for (const Image* image : {&c_.image, &c_.reference}) {
-      for (const auto& entry : image->metadata) {
-        if (std::find(keys.begin(), keys.end(), entry.first) == keys.end())
-          keys.push_back(entry.first);
-      }
-    }
-    std::string html;
-    for (const std::string& key : keys) {
-      const auto text = [&](const Image& image) {
-        const std::string* found = find_metadata(image.metadata, key);
-        return found != nullptr ? *found : "";
-      };
-      const std::string a = text(c_.image);
-      const std::string b = text(c_.reference);
-      html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
-                          a == b ? "" : " class=\"differs\"", escape_html(key), escape_html(a),
-                          escape_html(b));
-    }
-    return html.empty() ? "<tr><td colspan=\"3\">The files do not say.</td></tr>" : html;
-  }
-
-  /// For the script; no text from outside, which could end its element.
-  [[nodiscard]] nlohmann::json data() const {
-    const float scale = half_scale(c_.image, c_.reference);
-    const Decades decades = decades_of(relative_);
-    const ErrorMap flip{"FLIP", "difference seen on an sRGB display at exposure 0",
-                        false,  0,
-                        1,      {c_.flip.map.begin(), c_.flip.map.end()}};
-    const ErrorMap hdr{"HDR-FLIP", "largest difference seen at any of the exposures", false, 0,
-                       1,          {c_.hdr_flip.map.begin(), c_.hdr_flip.map.end()}};
-    const ErrorMap relative{"Relative error",
-                            "root of the pixel's term of relMSE",
-                            true,
-                            std::pow(10.0, decades.first),
-                            std::pow(10.0, decades.end),
-                            relative_};
-    return {{"width", c_.image.width()},
-            {"height", c_.image.height()},
-            {"x", c_.image.window.x},
-            {"y", c_.image.window.y},
-            {"scale", scale},
-            {"a", packed_halves(c_.image, scale)},
-            {"b", packed_halves(c_.reference, scale)},
-            {"maps", {flip.json(), hdr.json(), relative.json()}}};
-  }
-
-  const CompareOptions& o_;
-  const Comparison& c_;
-  std::vector<double> relative_;
-};
+/// What the page draws, beside the report of --json.
+nlohmann::ordered_json page_data(const CompareOptions& options, const Comparison& c) {
+  const float scale = half_scale(c.image, c.reference);
+  std::vector<double> relative;
+  relative.reserve(c.errors.terms.size());
+  for (const double term : c.errors.terms) relative.push_back(std::sqrt(term));
+  const std::vector<double> flip(c.flip.map.begin(), c.flip.map.end());
+  const Decades decades = decades_of(relative);
+  const ErrorMap flip_map{"FLIP", "difference seen on an sRGB display at exposure 0", false, 0, 1,
+                          flip};
+  const ErrorMap hdr_map{"HDR-FLIP", "largest difference seen at any of the exposures", false, 0,
+                         1,          {c.hdr_flip.map.begin(), c.hdr_flip.map.end()}};
+  const ErrorMap relative_map{"Relative error",
+                              "root of the pixel's term of relMSE",
+                              true,
+                              std::pow(10.0, decades.first),
+                              std::pow(10.0, decades.end),
+                              relative};
+  const Histogram relative_histogram{"Relative error", "relative error of the pixel", true,
+                                     std::sqrt(c.errors.relmse), "√relMSE"};
+  const Histogram flip_histogram{"FLIP", "difference seen at the pixel", false, c.flip.mean,
+                                 "mean"};
+  nlohmann::ordered_json data = comparison_json(options, c);
+  data["version"] = FACET_VERSION;
+  data["has_thresholds"] = options.has_thresholds();
+  data["x"] = c.image.window.x;
+  data["y"] = c.image.window.y;
+  data["scale"] = scale;
+  data["a"] = packed_halves(c.image, scale);
+  data["b"] = packed_halves(c.reference, scale);
+  data["maps"] = {flip_map.json(), hdr_map.json(), relative_map.json()};
+  data["metrics"] = metrics(options, c);
+  data["histograms"] = {histogram_json(relative_histogram, relative),
+                        histogram_json(flip_histogram, flip)};
+  data["origins"] = origins(c);
+  return data;
+}
 
 }  // namespace
 
@@ -258,7 +160,9 @@ void write_compare_page(const std::string& path, const CompareOptions& options,
     throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop",
                                  path, most_pixels, comparison.errors.pixels));
   }
-  write_text(path, ComparePage(options, comparison).html());
+  write_text(
+      path, make_page(page_text::compare_html, {page_text::page_css, page_text::compare_css},
+                      {page_text::draw_js, page_text::compare_js}, page_data(options, comparison)));
 }
 
 }  // namespace facet::report

@@ -1,34 +1,15 @@
 // The page of `facet compare --html`, as a browser shows it: controls are driven by a script added
 // to a copy of the page.
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/browser.h"
 #include "cli/program.h"
 #include "image/files.h"
 
 namespace facet::test {
 
 namespace {
-
-/// Standard output of a command of the shell.
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"),
-                                                             &::pclose);
-  std::string text;
-  char buffer[4096];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe.get())) > 0;)
-    text.append(buffer, n);
-  return text;
-}
-
-std::string find_browser() {
-  std::string path =
-      output_of("command -v chromium || command -v chromium-browser || command -v google-chrome");
-  while (path.ends_with('\n')) path.pop_back();
-  return path;
-}
 
 /// Gathers what scripts of the page report, errors among it, into an element of its own.
 /// Gathers errors from the start.
@@ -87,11 +68,7 @@ class ComparePageTest : public CliTest {
     page.insert(page.find("<title>"), listener);
     page.insert(page.rfind("</body>"), "<script>" + text_of(FACET_PAGE_CHECKS) + "</script>");
     folder_.write("copy.html", page);
-    const std::string dom =
-        output_of("timeout 100 '" + browser_ +
-                  "' --headless --no-sandbox --disable-gpu --window-size=1300,900 " + options +
-                  " --user-data-dir='" + folder_.file("profile").string() +
-                  "' --dump-dom 'file://" + folder_.file("copy.html").string() + "' 2>/dev/null");
+    const std::string dom = dump_dom(browser_, folder_.file("copy.html"), options);
     const std::size_t begin = dom.find("BEGIN", dom.find("id=\"report\""));
     const std::size_t end = dom.find("END", begin);
     if (end == std::string::npos) {

@@ -5,9 +5,11 @@
 namespace facet::report::page_text {
 
 extern const std::string_view bench_html;
+extern const std::string_view bench_js;
 extern const std::string_view compare_html;
 extern const std::string_view compare_css;
 extern const std::string_view compare_js;
+extern const std::string_view draw_js;
 extern const std::string_view page_css;
 
 }  // namespace facet::report::page_text
