@@ -30,7 +30,7 @@ class KernelRendering : public RecordedRendering {
 std::unique_ptr<Rendering> KernelBackend::start(const ScenePtr& scene,
                                                 const RenderSettings& settings) {
   if (settings.sampling == LobeSampling::uniform)
-    throw InputError("--sampling uniform belongs to --backend reference");
+    throw InputError("uniform sampling of lobes is the reference's alone");
   return std::make_unique<KernelRendering>(*this, *scene, settings);
 }
 

@@ -31,8 +31,10 @@ Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
     integrator.type = *type;
   }
   if (integrator.type.name.empty())
-    throw InputError(fmt::format("{}: the scene has no integrator; name one with --integrator",
-                                 scene.file.string()));
+    throw InputError(
+        fmt::format("{}: the scene has no integrator, and none is asked for (on the command line: "
+                    "--integrator)",
+                    scene.file.string()));
   if (request.max_depth) {
     if (*request.max_depth < -1)
       throw InputError(
@@ -51,16 +53,16 @@ Sampler sampler_of(const Scene& scene, const RenderRequest& request) {
 }
 
 Crop crop_of(const ImageSize& size, const RenderRequest& request) {
-  if (request.crop && request.pixel) throw InputError("--crop and --pixel exclude each other");
+  if (request.crop && request.pixel) throw InputError("crop and pixel exclude each other");
   Crop c{0, 0, size.width, size.height};
   std::string asked;
   if (request.crop) {
     c = *request.crop;
-    asked = fmt::format("--crop {},{},{},{}", c.x0, c.y0, c.x1, c.y1);
+    asked = fmt::format("crop {},{},{},{}", c.x0, c.y0, c.x1, c.y1);
   } else if (request.pixel) {
     const auto [x, y] = *request.pixel;
     c = {x, y, x + 1, y + 1};
-    asked = fmt::format("--pixel {},{}", x, y);
+    asked = fmt::format("pixel {},{}", x, y);
   }
   if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > size.width ||
       c.y1 > size.height)
@@ -75,7 +77,7 @@ SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
     const SampleRange& range = *request.sample_range;
     if (range.begin >= range.end || range.end > most)
       throw InputError(
-          fmt::format("--sample-range {}:{}: empty or too large", range.begin, range.end));
+          fmt::format("sample range {}:{}: empty or too large", range.begin, range.end));
     return range;
   }
   const int count = request.samples.value_or(scene.sample_count);

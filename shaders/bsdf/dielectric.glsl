@@ -1,10 +1,10 @@
 /* dielectric: a smooth interface between two transparent media, such as glass or water.
 
-   Reflects with probability F, the exact Fresnel term, else refracts by Snell's law; refracted radiance is scaled by
-   (eta_o/eta_i)^2, eta_o being the index on the viewer's side. */
+   Reflects with probability F, the exact Fresnel term, else refracts by Snell's law; refracted
+   radiance is scaled by (eta_o/eta_i)^2, eta_o being the index on the viewer's side. */
 #include "../lib/bsdf_sample.glsl"
-#include "bsdf_parameters.glsl"
 #include "../lib/fresnel.glsl"
+#include "bsdf_parameters.glsl"
 
 vec3 dielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) { return vec3(0.0); }
 

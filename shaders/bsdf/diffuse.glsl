@@ -2,8 +2,8 @@
 
    f = albedo / pi. Sampled by the cosine-weighted hemisphere, so that f cos / pdf = albedo. */
 #include "../lib/bsdf_sample.glsl"
-#include "bsdf_parameters.glsl"
 #include "../lib/warp.glsl"
+#include "bsdf_parameters.glsl"
 
 vec3 diffuse_eval(BsdfRecord b, vec3 wo, vec3 wi) { return diffuse_albedo(b) * INV_PI; }
 

@@ -1,7 +1,8 @@
 /* fresnelblend: a diffuse base that a glossy coat dims, PBRT's FresnelBlend.
 
-   f = 28 Rd/(23 pi) (1 - Rs) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5) + D Schlick(Rs, wi.wh)/(4 wi.wh max(cos_i, cos_o)):
-   M. Ashikhmin, P. Shirley, "An Anisotropic Phong BRDF Model", 2000, with a microfacet distribution for theirs. It has no masking. */
+   f = 28 Rd/(23 pi) (1 - Rs) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5)
+   + D Schlick(Rs, wi.wh)/(4 wi.wh max(cos_i, cos_o)): M. Ashikhmin, P. Shirley, "An Anisotropic
+   Phong BRDF Model", 2000, with a microfacet distribution for theirs. It has no masking. */
 #include "../lib/coated.glsl"
 #include "../lib/fresnel.glsl"
 
@@ -11,7 +12,8 @@ float fresnelblend_coat_probability(BsdfRecord b, vec3 wo) {
   return coated_probability(mean3(fresnel_schlick(fresnelblend_rs(b), wo.z)), base);
 }
 
-/// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either direction and h.
+/// Value of both lobes times cos_i, for the half vector h of any length; c: cosine between either
+/// direction and h.
 vec3 fresnelblend_value(BsdfRecord b, vec3 wo, vec3 wi, vec3 h, float c) {
   Microfacets m = microfacets_of(b);
   // 28/(23 pi)
@@ -28,7 +30,8 @@ vec3 fresnelblend_eval(BsdfRecord b, vec3 wo, vec3 wi) {
 
 float fresnelblend_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   MicrofacetPair p = microfacet_pair(wo, wi);
-  return coated_pdf(p.h, p.o_dot_h, wo, wi.z, microfacets_of(b), fresnelblend_coat_probability(b, wo));
+  return coated_pdf(p.h, p.o_dot_h, wo, wi.z, microfacets_of(b),
+                    fresnelblend_coat_probability(b, wo));
 }
 
 BsdfSample fresnelblend_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {

@@ -1,14 +1,15 @@
 /* roughconductor: rough metal.
 
-   f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf` (wh ~ D cos_h) or `visible` (Heitz
-   and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md. */
+   f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf`
+   (wh ~ D cos_h) or `visible` (Heitz and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/microfacet.glsl"
 #include "../lib/multiscatter.glsl"
 
 vec3 roughconductor_fresnel(BsdfRecord b, float c) {
-  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR)) return fresnel_conductor(roughconductor_eta(b), roughconductor_k(b), c);
+  if (HAS_FLAG(b.flags, BSDF_CONDUCTOR))
+    return fresnel_conductor(roughconductor_eta(b), roughconductor_k(b), c);
   return fresnel_schlick(roughconductor_r0(b), c);
 }
 

@@ -1,8 +1,9 @@
 /* area: a mesh that emits from one side.
 
-   Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and the density per solid
-   angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the probability of the triangle and A its area.
-   It must not lie in the plane of another surface that it overlaps: rounding decides which of the two a ray meets. */
+   Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, and
+   the density per solid angle is p d^2 / (A |ng.w|) with the geometric normal ng, p being the
+   probability of the triangle and A its area. It must not lie in the plane of another surface that
+   it overlaps: rounding decides which of the two a ray meets. */
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/surface.glsl"
@@ -16,7 +17,8 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 
-/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is chosen. s lies on the emitter.
+/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is
+/// chosen. s lies on the emitter.
 float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
   float c = abs(dot3(s.ng, d));
   float density = fetch_emitter_triangle(e.first_triangle + (s.index - e.first_index)).density;
@@ -38,7 +40,8 @@ EmitterSample area_sample(EmitterRecord e, Surface from, uint primitive_bits, ve
   r.d = normalize_safe(to);
   r.pdf = area_pdf(e, s, r.d, dot3(to, r.d));
   r.radiance = r.pdf > 0.0 ? area_eval(e, s, r.d) : vec3(0.0);
-  // Both ends of the shadow ray are moved off their surfaces; this one must also cover the error of a test from afar.
+  // Both ends of the shadow ray are moved off their surfaces; this one must also cover the error of
+  // a test from afar.
   r.point = offset_ray_origin(s.position, max(s.magnitude, from.magnitude), s.ng, -r.d);
   r.at_infinity = false;
   r.delta = false;

@@ -1,9 +1,10 @@
 /* environment: light from infinitely far away, constant or from a latitude-longitude image.
 
-   Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at image coordinates ((1-u) W, (1-v) H),
-   bilinear: texel (i, j) has its value at coordinates (i, j), as in Nori; u wraps, v clamps. Sampled by the mean of the four
-   texels around each cell [i, i+1) x [j, j+1) times the cell's solid angle, uniformly within it (docs/sampling.md).
-   Record: of a texel: rgb, and the cell's density in sr^-1. */
+   Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at image
+   coordinates ((1-u) W, (1-v) H), bilinear: texel (i, j) has its value at coordinates (i, j), as in
+   Nori; u wraps, v clamps. Sampled by the mean of the four texels around each cell [i, i+1) x [j,
+   j+1) times the cell's solid angle, uniformly within it (docs/sampling.md). Record: of a texel:
+   rgb, and the cell's density in sr^-1. */
 #include "../lib/records.glsl"
 #include "../lib/elementary.glsl"
 #include "../lib/emitter_sample.glsl"
@@ -15,10 +16,13 @@ vec2 environment_coordinates(vec3 d) {
   float phi = atan2_accurate(d.z, d.x) * INV_TWO_PI;
   float u = phi < 0.0 ? phi + 1.0 : phi;
   float v = atan2_accurate(sqrt(d.x * d.x + d.z * d.z), d.y) * INV_PI;
-  return vec2((1.0 - u) * float(frame.environment_width), (1.0 - v) * float(frame.environment_height));
+  return vec2((1.0 - u) * float(frame.environment_width),
+              (1.0 - v) * float(frame.environment_height));
 }
 
-vec4 environment_at(uint x, uint y) { return fetch_environment_texel(y * frame.environment_width + x); }
+vec4 environment_at(uint x, uint y) {
+  return fetch_environment_texel(y * frame.environment_width + x);
+}
 
 /// Radiance arriving from direction d.
 vec3 environment_eval(vec3 d) {

@@ -1,5 +1,5 @@
-/* direct_ems, direct_mats, direct_mis, direct_whitted, whitted, path, path_mats, path_ems, path_nee, path_mis: light transport by
-   paths from the camera.
+/* direct_ems, direct_mats, direct_mis, direct_whitted, whitted, path, path_mats, path_ems,
+   path_nee, path_mis: light transport by paths from the camera.
 
    The names differ in how direct light is estimated at each surface interaction,
 
@@ -8,9 +8,11 @@
    - mis: by both, weighted (path is path_mis);
    - whitted: by sampling every emitter; paths then go on at delta lobes (mirror, dielectric) alone,
 
-   and in how many interactions there are: one for direct_*, `maxDepth` for the others. At a delta lobe, all of them follow the lobe.
+   and in how many interactions there are: one for direct_*, `maxDepth` for the others. At a delta
+   lobe, all of them follow the lobe.
 
-   Emission that the camera sees directly is added once, unweighted. Russian roulette: docs/sampling.md. */
+   Emission that the camera sees directly is added once, unweighted. Russian roulette:
+   docs/sampling.md. */
 #include "path_step.glsl"
 #include "../lib/bsdf.glsl"
 #include "../lib/emitter.glsl"
@@ -51,13 +53,15 @@ float mis_weight(float used, float other) {
 vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
   float weight = 1.0;
   if (EMITTER_SAMPLING) weight = MATERIAL_SAMPLING ? mis_weight(bsdf_pdf_used, found.pdf) : 0.0;
-  bool only_way = bounce == 0u || ((BSDF_FLAGS_SOME & BSDF_DELTA) != 0u && bsdf_pdf_used == DELTA_PDF);
+  bool only_way =
+      bounce == 0u || ((BSDF_FLAGS_SOME & BSDF_DELTA) != 0u && bsdf_pdf_used == DELTA_PDF);
   return only_way ? found.radiance : weight * found.radiance;
 }
 
-/// Shadow ray for one emitter sample at s, of whose direction the BSDF has the value f and the density; has_shadow is false
-/// where it could contribute nothing.
-void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cosine, vec3 f, float bsdf_pdf) {
+/// Shadow ray for one emitter sample at s, of whose direction the BSDF has the value f and the
+/// density; has_shadow is false where it could contribute nothing.
+void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cosine, vec3 f,
+                      float bsdf_pdf) {
   float weight = MATERIAL_SAMPLING && !e.delta ? mis_weight(e.pdf, bsdf_pdf) : 1.0;
   vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (cosine / e.pdf));
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
@@ -70,7 +74,8 @@ void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cos
 }
 
 /// The ray that continues the path from s at interaction k along a sample of the BSDF.
-void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, uint roulette_bits, uint k) {
+void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, uint roulette_bits,
+                   uint k) {
   vec3 throughput = step.path.throughput.rgb * b.weight;
   step.path.radiance.w *= b.eta2;
   float q = 1.0;
@@ -104,10 +109,12 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   vec3 d = ray.direction.xyz;
   Surface s = surface_at(missed ? 0u : hit.triangle, hit.b1, hit.b2);
   FoundEmission found = emission_of_surface(s, d, hit.t);
-  FoundEmission sky = HAS_EMITTER(environment) ? emission_of_environment(d) : FoundEmission(vec3(0.0), 0.0);
+  FoundEmission sky =
+      HAS_EMITTER(environment) ? emission_of_environment(d) : FoundEmission(vec3(0.0), 0.0);
   found.radiance = missed ? sky.radiance : found.radiance;
   found.pdf = missed ? sky.pdf : found.pdf;
-  step.path.radiance.rgb += path.throughput.rgb * weighted_emission(found, path.throughput.w, bounce);
+  step.path.radiance.rgb +=
+      path.throughput.rgb * weighted_emission(found, path.throughput.w, bounce);
 
   if (LAST_BOUNCE) return step;
 
@@ -131,7 +138,8 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
     step.has_shadow = step.has_shadow && scatters;
   }
   if (ONLY_BOUNCE) return step;
-  // After the last interaction only emission is looked for, which emitter sampling alone needs at delta lobes only.
+  // After the last interaction only emission is looked for, which emitter sampling alone needs at
+  // delta lobes only.
   bool delta = HAS_FLAG(bsdf.flags, BSDF_DELTA);
   step.alive = scatters && (MATERIAL_SAMPLING || delta || (k < frame.max_depth && !EVERY_EMITTER));
   continue_path(step, s, shading, answers.next, bits[BSDF_ROULETTE], k);

@@ -13,6 +13,8 @@ struct PathStep {
 };
 
 /// A path that ends as it is.
-PathStep unchanged_path(PathRecord path, RayRecord ray) { return PathStep(path, ray, false, ray, vec3(0.0), false); }
+PathStep unchanged_path(PathRecord path, RayRecord ray) {
+  return PathStep(path, ray, false, ray, vec3(0.0), false);
+}
 
 #endif

@@ -1,6 +1,8 @@
-/* simple: light from a point of given energy on what the camera sees, whatever its material: Nori's first shading exercise.
+/* simple: light from a point of given energy on what the camera sees, whatever its material: Nori's
+   first shading exercise.
 
-   energy/(4 pi^2) max(0, cos) / d^2 where the light is visible, cos being that to the shading normal. */
+   energy/(4 pi^2) max(0, cos) / d^2 where the light is visible, cos being that to the shading
+   normal. */
 #include "path_step.glsl"
 #include "../lib/surface.glsl"
 

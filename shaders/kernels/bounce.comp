@@ -1,6 +1,7 @@
 #version 450
-// One bounce of every path in the queue: finds what its ray hits, shades that, and adds what arrives where the shadow ray meets
-// nothing. All of it in one kernel, so that rays and hits stay in registers. Paths that go on are queued for the next bounce.
+// One bounce of every path in the queue: finds what its ray hits, shades that, and adds what
+// arrives where the shadow ray meets nothing. All of it in one kernel, so that rays and hits stay
+// in registers. Paths that go on are queued for the next bounce.
 #extension GL_GOOGLE_include_directive : require
 #include "../integrator/ambient_occlusion.glsl"
 #include "../integrator/depth.glsl"
@@ -21,9 +22,12 @@ uint slot_of_invocation() {
   return queued_slot(i);
 }
 
-/// Where every emitter is sampled, a bounce is a round for each of them; the first finds the hit, the last moves the path on.
+/// Where every emitter is sampled, a bounce is a round for each of them; the first finds the hit,
+/// the last moves the path on.
 bool is_first_round() { return !EVERY_EMITTER || pass_constants.emitter == 0u; }
-bool is_last_round() { return !EVERY_EMITTER || pass_constants.emitter + 1u >= frame.emitter_count; }
+bool is_last_round() {
+  return !EVERY_EMITTER || pass_constants.emitter + 1u >= frame.emitter_count;
+}
 
 PathRecord path_of(uint slot) {
   if (!CAMERA_BOUNCE) return fetch_path(slot);
@@ -51,7 +55,8 @@ HitRecord hit_of(uint slot, RayRecord ray, inout bool complete) {
 
 PathStep shade(PathRecord path, RayRecord ray, HitRecord hit, SampleId id) {
   if (INTEGRATOR == INTEGRATOR_path) return shade_path(path, ray, hit, id, pass_constants.bounce);
-  if (INTEGRATOR == INTEGRATOR_ambient_occlusion) return shade_ambient_occlusion(path, ray, hit, id);
+  if (INTEGRATOR == INTEGRATOR_ambient_occlusion)
+    return shade_ambient_occlusion(path, ray, hit, id);
   if (INTEGRATOR == INTEGRATOR_simple) return shade_simple(path, ray, hit);
   PathStep step = unchanged_path(path, ray);
   step.path.radiance.rgb = INTEGRATOR == INTEGRATOR_normals ? shade_normals(hit) : shade_depth(hit);
@@ -71,7 +76,8 @@ void main() {
   if (step.has_shadow) {
     bool shadow_complete;
     bool occluded = trace_any(step.shadow, shadow_complete);
-    step.path.radiance.rgb = occluded ? step.path.radiance.rgb : step.path.radiance.rgb + step.contribution;
+    step.path.radiance.rgb =
+        occluded ? step.path.radiance.rgb : step.path.radiance.rgb + step.contribution;
     complete = complete && shadow_complete;
     atomicAdd(counters[COUNTER_ANY_RAYS], 1u);
   }

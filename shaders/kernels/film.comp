@@ -1,6 +1,6 @@
 #version 450
-// Adds the finished samples of a pass to their pixels, in the order of the samples: the sum depends neither on queues nor on
-// the size of a pass.
+// Adds the finished samples of a pass to their pixels, in the order of the samples: the sum depends
+// neither on queues nor on the size of a pass.
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/camera.glsl"
 #include "../lib/film.glsl"

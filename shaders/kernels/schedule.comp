@@ -1,6 +1,6 @@
 #version 450
-// Before a bounce: turns the queue's length into the size of the bounce's dispatch, empties the other queue, and keeps count of
-// the rays.
+// Before a bounce: turns the queue's length into the size of the bounce's dispatch, empties the
+// other queue, and keeps count of the rays.
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/bindings.glsl"
 

@@ -5,8 +5,8 @@
 #include "elementary.glsl"
 #include "frame.glsl"
 
-/// Beckmann density D(wh) in sr^-1, for a half vector h of any length: without normalising, tan^2 keeps its digits where
-/// wi and wo nearly cancel. alpha in [1e-4, 1].
+/// Beckmann density D(wh) in sr^-1, for a half vector h of any length: without normalising, tan^2
+/// keeps its digits where wi and wo nearly cancel. alpha in [1e-4, 1].
 float beckmann_d(vec3 h, float alpha) {
   float z2 = h.z * h.z;
   float r2 = h.x * h.x + h.y * h.y;
@@ -16,8 +16,8 @@ float beckmann_d(vec3 h, float alpha) {
   return (h.z > 0.0 && x < 87.0) ? d : 0.0;
 }
 
-/// Masking G1 of direction w, rational form: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
-/// EGSR 2007, eq. 27.
+/// Masking G1 of direction w, rational form: B. Walter et al., "Microfacet Models for Refraction
+/// through Rough Surfaces", EGSR 2007, eq. 27.
 float beckmann_g1_rational(vec3 w, float alpha) {
   float sin2 = w.x * w.x + w.y * w.y;
   float b = w.z / (alpha * sqrt(max(sin2, 1.0e-30)));
@@ -27,12 +27,13 @@ float beckmann_g1_rational(vec3 w, float alpha) {
   return w.z > 0.0 ? g : 0.0;
 }
 
-/// Exact Smith G1 of the Beckmann distribution, which normalises the visible normals: 1/(1 + Lambda), written as a sum
-/// of positive terms.
+/// Exact Smith G1 of the Beckmann distribution, which normalises the visible normals: 1/(1 +
+/// Lambda), written as a sum of positive terms.
 float beckmann_g1_exact(vec3 w, float alpha) {
   float sin2 = w.x * w.x + w.y * w.y;
   float b = min(w.z / (alpha * sqrt(max(sin2, 1.0e-30))), 1.0e6);
-  float one_plus_lambda = 0.5 * erfc_accurate(-b) + exp_accurate(-b * b) * 0.5 * INV_SQRT_PI / max(b, 1.0e-30);
+  float one_plus_lambda =
+      0.5 * erfc_accurate(-b) + exp_accurate(-b * b) * 0.5 * INV_SQRT_PI / max(b, 1.0e-30);
   return w.z > 0.0 ? 1.0 / one_plus_lambda : 0.0;
 }
 
@@ -45,9 +46,10 @@ vec3 beckmann_sample_ndf(float alpha, vec2 u) {
   return vec3(s * sc.y, s * sc.x, c);
 }
 
-/// Slope along the direction of view whose visible cumulative distribution is u (alpha = 1): the root x of
-/// c erfc(-x) + s/sqrt(pi) exp(-x^2) = u (the same at x = c/s), where (s, c) are sine and cosine of the polar angle.
-/// Halley's iteration within a bracket; docs/sampling.md derives it from Heitz and d'Eon 2014.
+/// Slope along the direction of view whose visible cumulative distribution is u (alpha = 1): the
+/// root x of c erfc(-x) + s/sqrt(pi) exp(-x^2) = u (the same at x = c/s), where (s, c) are sine and
+/// cosine of the polar angle. Halley's iteration within a bracket; docs/sampling.md derives it from
+/// Heitz and d'Eon 2014.
 float beckmann_visible_slope(float s, float c, float u) {
   float upper = min(c / max(s, 1.0e-20), 6.0);
   float lower = -6.0;
@@ -74,7 +76,8 @@ float beckmann_visible_slope(float s, float c, float u) {
 }
 
 /// Unit half vector with density G1(wo) D(wh) max(0, wo.wh) / cos(theta_o), G1 exact.
-/// E. Heitz, E. d'Eon, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals", EGSR 2014.
+/// E. Heitz, E. d'Eon, "Importance Sampling Microfacet-Based BSDFs using the Distribution of
+/// Visible Normals", EGSR 2014.
 vec3 beckmann_sample_visible(vec3 wo, float alpha, vec2 u) {
   vec2 v = max(u, vec2(2.98023224e-8));  // 2^-25, half a step: no infinite slope
   vec3 w = normalize_safe(vec3(alpha * wo.x, alpha * wo.y, wo.z));

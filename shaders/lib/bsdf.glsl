@@ -1,10 +1,12 @@
-// Dispatch over the BSDFs that the scene has. Those that do not transmit are black from behind and towards behind.
+// Dispatch over the BSDFs that the scene has. Those that do not transmit are black from behind and
+// towards behind.
 #ifndef FACET_BSDF_GLSL
 #define FACET_BSDF_GLSL
 #include "specialization.glsl"
 #include "bsdf_models.glsl"
 
-/// True for the BSDF of this id; known when the kernel is specialised if the scene has none of it, or nothing else.
+/// True for the BSDF of this id; known when the kernel is specialised if the scene has none of it,
+/// or nothing else.
 #define IS_BSDF(b, id) ((BSDF_MASK & (1u << id)) != 0u && (BSDF_MASK == (1u << id) || b.type == id))
 
 /// Whether the BSDF scatters between these directions at all.
@@ -58,15 +60,15 @@ struct BsdfAnswers {
   BsdfSample next;  // bsdf_sample
 };
 
-/// As the three functions, as far as the integrator wants to know; in one branch a BSDF, so that what they have in common is
-/// computed once.
+/// As the three functions, as far as the integrator wants to know; in one branch a BSDF, so that
+/// what they have in common is computed once.
 BsdfAnswers bsdf_answers(BsdfRecord b, vec3 wo, vec3 wi, float lobe, vec2 u) {
   BsdfAnswers a = BsdfAnswers(vec3(0.0), 0.0, bsdf_sample_none());
-#define FACET_CASE(name, Type, id)                                                       \
-  if (IS_BSDF(b, id)) {                                                                  \
-    if (EMITTER_SAMPLING) a.f = name##_eval(b, wo, wi);                                  \
-    if (EMITTER_SAMPLING && MATERIAL_SAMPLING) a.pdf = name##_pdf(b, wo, wi);            \
-    if (!ONLY_BOUNCE) a.next = name##_sample(b, wo, lobe, u);                            \
+#define FACET_CASE(name, Type, id)                                            \
+  if (IS_BSDF(b, id)) {                                                       \
+    if (EMITTER_SAMPLING) a.f = name##_eval(b, wo, wi);                       \
+    if (EMITTER_SAMPLING && MATERIAL_SAMPLING) a.pdf = name##_pdf(b, wo, wi); \
+    if (!ONLY_BOUNCE) a.next = name##_sample(b, wo, lobe, u);                 \
   }
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE

@@ -1,4 +1,5 @@
-// Two lobes: a coat of microfacets over a diffuse base. What the BSDFs that are made so have in common.
+// Two lobes: a coat of microfacets over a diffuse base. What the BSDFs that are made so have in
+// common.
 #ifndef FACET_COATED_GLSL
 #define FACET_COATED_GLSL
 #include "bsdf_sample.glsl"
@@ -8,15 +9,15 @@
 
 float mean3(vec3 c) { return (c.r + c.g + c.b) * 0.333333333; }
 
-/// 1 - (1 - c/2)^5, without cancellation for small c: x (5 - 10 x + 10 x^2 - 5 x^3 + x^4), x = c/2. M. Ashikhmin, P. Shirley,
-/// "An Anisotropic Phong BRDF Model", 2000.
+/// 1 - (1 - c/2)^5, without cancellation for small c: x (5 - 10 x + 10 x^2 - 5 x^3 + x^4), x = c/2.
+/// M. Ashikhmin, P. Shirley, "An Anisotropic Phong BRDF Model", 2000.
 float coated_falloff(float c) {
   float x = 0.5 * c;
   return x * (5.0 + x * (-10.0 + x * (10.0 + x * (-5.0 + x))));
 }
 
-/// Probability of choosing the coat, by estimates of both albedos. u_lobe counts in steps of 2^-24: neither lobe that has
-/// a value is out of its reach.
+/// Probability of choosing the coat, by estimates of both albedos. u_lobe counts in steps of 2^-24:
+/// neither lobe that has a value is out of its reach.
 float coated_probability(float coat, float base) {
   float p = min(max(coat / (coat + base), 5.96046448e-8), base > 0.0 ? 0.99999994 : 1.0);
   return coat > 0.0 ? p : 0.0;
@@ -50,7 +51,8 @@ CoatedDirection coated_sample(vec3 wo, Microfacets m, float p, float lobe, vec2 
 }
 
 /// The sample whose whole value times cos_i is given.
-BsdfSample coated_result(CoatedDirection d, vec3 wo, Microfacets m, float p, vec3 value_times_cosine) {
+BsdfSample coated_result(CoatedDirection d, vec3 wo, Microfacets m, float p,
+                         vec3 value_times_cosine) {
   BsdfSample s = bsdf_sample_none();
   s.wi = d.wi;
   s.pdf = coated_pdf(d.h, d.o_dot_h, wo, d.wi.z, m, p);

@@ -1,4 +1,5 @@
-// Numbers that several files need. Final literals: glslang folds constant expressions in double precision.
+// Numbers that several files need. Final literals: glslang folds constant expressions in double
+// precision.
 #ifndef FACET_CONSTANTS_GLSL
 #define FACET_CONSTANTS_GLSL
 

@@ -1,6 +1,6 @@
-// Elementary functions of our own. The drivers' built-in ones differ between drivers and are poor in places (log near 1,
-// acos, atan); these are the same in every bit wherever + - * / and sqrt are correctly rounded. Stated errors are the
-// largest found by tests/unit/elementary_test.cpp.
+// Elementary functions of our own. The drivers' built-in ones differ between drivers and are poor
+// in places (log near 1, acos, atan); these are the same in every bit wherever + - * / and sqrt are
+// correctly rounded. Stated errors are the largest found by tests/unit/elementary_test.cpp.
 #ifndef FACET_ELEMENTARY_GLSL
 #define FACET_ELEMENTARY_GLSL
 #include "../shared/elementary_coefficients.h"
@@ -19,7 +19,8 @@ const float ERFINV_TAIL_C[9] = float[9](FACET_ERFINV_TAIL_COEFFICIENTS);
 float exp_accurate(float x) {
   float y = min(max(x, -87.0), 88.0);
   float k = floor(y * 1.44269504 + 0.5);
-  float r = (y - k * 0.693359375) + k * 2.12194440e-4;  // ln 2 in two parts; the first product is exact
+  float r =
+      (y - k * 0.693359375) + k * 2.12194440e-4;  // ln 2 in two parts; the first product is exact
   float p = EXP_C[0] + r * (EXP_C[1] + r * (EXP_C[2] + r * (EXP_C[3] + r * EXP_C[4])));
   float e = 1.0 + (r + r * r * p);
   // k = 127 at most, so the scale is a normal number.
@@ -34,8 +35,12 @@ float log_accurate(float x) {
   int e = int(bits - 0x3f3504f3u) >> 23;
   float f = uintBitsToFloat(bits - (uint(e) << 23)) - 1.0;
   float f2 = f * f;
-  float p = LOG_C[0] + f * (LOG_C[1] + f * (LOG_C[2] + f * (LOG_C[3] + f * (LOG_C[4] + f * (LOG_C[5] +
-            f * (LOG_C[6] + f * (LOG_C[7] + f * LOG_C[8])))))));
+  float p = LOG_C[0] +
+            f * (LOG_C[1] +
+                 f * (LOG_C[2] +
+                      f * (LOG_C[3] +
+                           f * (LOG_C[4] +
+                                f * (LOG_C[5] + f * (LOG_C[6] + f * (LOG_C[7] + f * LOG_C[8])))))));
   float k = float(e);
   float low = f2 * f * p - k * 2.12194440e-4;
   return ((low - 0.5 * f2) + f) + k * 0.693359375;
@@ -64,7 +69,8 @@ float atan2_accurate(float y, float x) {
   bool reduce = a > 0.414213562;  // tan(pi/8)
   float t = reduce ? (a - 1.0) / (a + 1.0) : a;
   float z = t * t;
-  float p = t + t * z * (ATAN_C[0] + z * (ATAN_C[1] + z * (ATAN_C[2] + z * (ATAN_C[3] + z * ATAN_C[4]))));
+  float p =
+      t + t * z * (ATAN_C[0] + z * (ATAN_C[1] + z * (ATAN_C[2] + z * (ATAN_C[3] + z * ATAN_C[4]))));
   float angle = reduce ? 0.785398163 + p : p;
   angle = ay > ax ? 1.57079633 - angle : angle;
   angle = x < 0.0 ? PI - angle : angle;
@@ -75,24 +81,43 @@ float atan2_accurate(float y, float x) {
 float erfc_accurate(float x) {
   float a = abs(x);
   float t = 1.0 / (1.0 + a * 0.333333333);
-  float q = ERFCX_C[0] + t * (ERFCX_C[1] + t * (ERFCX_C[2] + t * (ERFCX_C[3] + t * (ERFCX_C[4] + t * (ERFCX_C[5] +
-            t * (ERFCX_C[6] + t * (ERFCX_C[7] + t * (ERFCX_C[8] + t * (ERFCX_C[9] + t * ERFCX_C[10])))))))));
+  float q = ERFCX_C[0] +
+            t * (ERFCX_C[1] +
+                 t * (ERFCX_C[2] +
+                      t * (ERFCX_C[3] +
+                           t * (ERFCX_C[4] +
+                                t * (ERFCX_C[5] +
+                                     t * (ERFCX_C[6] +
+                                          t * (ERFCX_C[7] +
+                                               t * (ERFCX_C[8] +
+                                                    t * (ERFCX_C[9] + t * ERFCX_C[10])))))))));
   float tail = exp_accurate(-a * a) * (t * q);
   return x < 0.0 ? 2.0 - tail : tail;
 }
 
-/// The x with erf(x) = 2 u - 1, for u in [2^-25, 1 - 2^-25]: the quantile of a normal variable of variance 1/2.
-/// Written in u so that neither tail loses digits. Relative error at most 4e-7.
+/// The x with erf(x) = 2 u - 1, for u in [2^-25, 1 - 2^-25]: the quantile of a normal variable of
+/// variance 1/2. Written in u so that neither tail loses digits. Relative error at most 4e-7.
 float erfinv_quantile(float u) {
   float w = -log_accurate(4.0 * (u * (1.0 - u)));
   float c = w - 2.5;
   float t = sqrt(max(w, 0.0)) - 3.0;
-  float central = ERFINV_CENTRAL_C[0] + c * (ERFINV_CENTRAL_C[1] + c * (ERFINV_CENTRAL_C[2] + c * (ERFINV_CENTRAL_C[3] +
-      c * (ERFINV_CENTRAL_C[4] + c * (ERFINV_CENTRAL_C[5] + c * (ERFINV_CENTRAL_C[6] + c * (ERFINV_CENTRAL_C[7] +
-      c * ERFINV_CENTRAL_C[8])))))));
-  float tail = ERFINV_TAIL_C[0] + t * (ERFINV_TAIL_C[1] + t * (ERFINV_TAIL_C[2] + t * (ERFINV_TAIL_C[3] +
-      t * (ERFINV_TAIL_C[4] + t * (ERFINV_TAIL_C[5] + t * (ERFINV_TAIL_C[6] + t * (ERFINV_TAIL_C[7] +
-      t * ERFINV_TAIL_C[8])))))));
+  float central =
+      ERFINV_CENTRAL_C[0] +
+      c * (ERFINV_CENTRAL_C[1] +
+           c * (ERFINV_CENTRAL_C[2] +
+                c * (ERFINV_CENTRAL_C[3] +
+                     c * (ERFINV_CENTRAL_C[4] +
+                          c * (ERFINV_CENTRAL_C[5] +
+                               c * (ERFINV_CENTRAL_C[6] +
+                                    c * (ERFINV_CENTRAL_C[7] + c * ERFINV_CENTRAL_C[8])))))));
+  float tail = ERFINV_TAIL_C[0] +
+               t * (ERFINV_TAIL_C[1] +
+                    t * (ERFINV_TAIL_C[2] +
+                         t * (ERFINV_TAIL_C[3] +
+                              t * (ERFINV_TAIL_C[4] +
+                                   t * (ERFINV_TAIL_C[5] +
+                                        t * (ERFINV_TAIL_C[6] +
+                                             t * (ERFINV_TAIL_C[7] + t * ERFINV_TAIL_C[8])))))));
   return (2.0 * u - 1.0) * (w <= 5.0 ? central : tail);
 }
 

@@ -16,7 +16,8 @@ FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
   EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true, false);
   if (IS_EMITTER(e.type, area)) {
-    s = area_sample(e, from, bits[EMITTER_PRIMITIVE], vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
+    s = area_sample(e, from, bits[EMITTER_PRIMITIVE],
+                    vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
   }
   if (IS_EMITTER(e.type, environment)) s = environment_sample(bits[EMITTER_V], bits[EMITTER_U]);
   if (IS_EMITTER(e.type, pointlight)) s = pointlight_sample(e, from);
@@ -27,13 +28,15 @@ EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
 
 /// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
 EmitterSample sample_emitters(Surface from, uvec4 bits) {
-  EmitterRecord e = fetch_emitter(choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE])));
+  EmitterRecord e = fetch_emitter(
+      choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE])));
   EmitterSample s = sample_emitter(e, from, bits);
   s.pdf *= e.probability;
   return s;
 }
 
-/// Emission found by a ray, and the density with which sample_emitters would have sampled its direction.
+/// Emission found by a ray, and the density with which sample_emitters would have sampled its
+/// direction.
 struct FoundEmission {
   vec3 radiance;
   float pdf;  // sr^-1
@@ -52,7 +55,8 @@ FoundEmission emission_of_surface(Surface s, vec3 d, float distance) {
 
 FoundEmission emission_of_environment(vec3 d) {
   if (!HAS_EMITTER(environment)) return FoundEmission(vec3(0.0), 0.0);
-  return FoundEmission(environment_eval(d), environment_pdf(d) * fetch_emitter(frame.environment_emitter).probability);
+  return FoundEmission(environment_eval(d),
+                       environment_pdf(d) * fetch_emitter(frame.environment_emitter).probability);
 }
 
 #endif

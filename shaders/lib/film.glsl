@@ -10,11 +10,13 @@ bool is_good_sample(vec3 radiance) {
   // -0 is good; every other number with the sign bit, and everything from infinity on, is not.
   bvec3 good = lessThan(bits & uvec3(bits.x == 0x80000000u ? 0x7fffffffu : 0xffffffffu,
                                      bits.y == 0x80000000u ? 0x7fffffffu : 0xffffffffu,
-                                     bits.z == 0x80000000u ? 0x7fffffffu : 0xffffffffu), uvec3(0x7f800000u));
+                                     bits.z == 0x80000000u ? 0x7fffffffu : 0xffffffffu),
+                        uvec3(0x7f800000u));
   return all(good);
 }
 
-/// Adds x to hi + lo; hi takes the rounded sum, lo gathers what rounding loses (D. Knuth's two-sum).
+/// Adds x to hi + lo; hi takes the rounded sum, lo gathers what rounding loses (D. Knuth's
+/// two-sum).
 void add_compensated(inout vec3 hi, inout vec3 lo, vec3 x) {
   vec3 sum = hi + x;
   vec3 part = sum - hi;
@@ -25,8 +27,8 @@ void add_compensated(inout vec3 hi, inout vec3 lo, vec3 x) {
   lo = lo - (hi - sum);
 }
 
-/// x^2 = square + rest, exactly while neither over- nor underflows (T. J. Dekker 1971). Without the rest a variance far below
-/// the squared mean would drown in rounding.
+/// x^2 = square + rest, exactly while neither over- nor underflows (T. J. Dekker 1971). Without the
+/// rest a variance far below the squared mean would drown in rounding.
 void square_exactly(vec3 x, out vec3 square, out vec3 rest) {
   square = x * x;
   vec3 c = 4097.0 * x;

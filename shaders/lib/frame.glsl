@@ -4,7 +4,8 @@
 #include "constants.glsl"
 #include "vector.glsl"
 
-/// Unit vector along v whatever its length (its square may over- or underflow); 0 for the zero vector.
+/// Unit vector along v whatever its length (its square may over- or underflow); 0 for the zero
+/// vector.
 vec3 normalize_safe(vec3 v) {
   float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
   vec3 s = largest > 0.0 ? v / largest : vec3(0.0);
@@ -37,9 +38,10 @@ vec3 to_local(Frame f, vec3 v) { return vec3(dot3(v, f.s), dot3(v, f.t), dot3(v,
 /// Frame to world.
 vec3 to_world(Frame f, vec3 v) { return f.s * v.x + f.t * v.y + f.n * v.z; }
 
-/// Origin of a ray that leaves the surface point p in direction d, moved along the geometric normal to d's side by a bound of
-/// the rounding errors of p and of a later test against the same plane (docs/sampling.md, "Ray offset"). magnitude: the
-/// largest absolute coordinate of the triangle's vertices.
+/// Origin of a ray that leaves the surface point p in direction d, moved along the geometric normal
+/// to d's side by a bound of the rounding errors of p and of a later test against the same plane
+/// (docs/sampling.md, "Ray offset"). magnitude: the largest absolute coordinate of the triangle's
+/// vertices.
 vec3 offset_ray_origin(vec3 p, float magnitude, vec3 ng, vec3 d) {
   float distance = magnitude * 9.53674316e-7;  // 16 * 2^-24
   float side = dot3(d, ng) < 0.0 ? -1.0 : 1.0;

@@ -2,15 +2,17 @@
 #ifndef FACET_FRESNEL_GLSL
 #define FACET_FRESNEL_GLSL
 
-/// Schlick's approximation 1994: r0 at normal incidence, c the cosine between direction and half vector.
+/// Schlick's approximation 1994: r0 at normal incidence, c the cosine between direction and half
+/// vector.
 vec3 fresnel_schlick(vec3 r0, float c) {
   float m = max(1.0 - c, 0.0);
   float m2 = m * m;
   return r0 + (vec3(1.0) - r0) * (m2 * m2 * m);
 }
 
-/// Unpolarised reflectance of a conductor of complex index eta + i k (over that of the other side), per channel; c: cosine of the
-/// angle of incidence. M. Born, E. Wolf, "Principles of Optics", section 13.4.
+/// Unpolarised reflectance of a conductor of complex index eta + i k (over that of the other side),
+/// per channel; c: cosine of the angle of incidence. M. Born, E. Wolf, "Principles of Optics",
+/// section 13.4.
 vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   float cos2 = min(c * c, 1.0);
   float sin2 = max((1.0 - c) * (1.0 + c), 0.0);
@@ -23,7 +25,8 @@ vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   vec3 with_t = length2 + abs(t);
   vec3 larger = 0.5 * with_t;
   vec3 smaller = 2.0 * ek2 / max(with_t, vec3(1.0e-30));
-  vec3 a2 = vec3(t.x >= 0.0 ? larger.x : smaller.x, t.y >= 0.0 ? larger.y : smaller.y, t.z >= 0.0 ? larger.z : smaller.z);
+  vec3 a2 = vec3(t.x >= 0.0 ? larger.x : smaller.x, t.y >= 0.0 ? larger.y : smaller.y,
+                 t.z >= 0.0 ? larger.z : smaller.z);
   vec3 ac = 2.0 * sqrt(a2) * c;
   vec3 sum = length2 + vec3(cos2);
   vec3 rs = (sum - ac) / (sum + ac);
@@ -32,14 +35,15 @@ vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   return 0.5 * rs * (vec3(1.0) + rp);
 }
 
-/// Unpolarised reflectance between two dielectrics; c is the cosine on the exterior side (negative: seen from inside).
-/// 1 beyond the critical angle, 0 for equal indices.
+/// Unpolarised reflectance between two dielectrics; c is the cosine on the exterior side (negative:
+/// seen from inside). 1 beyond the critical angle, 0 for equal indices.
 float fresnel_dielectric(float c, float ext_ior, float int_ior) {
   float eta_i = c < 0.0 ? int_ior : ext_ior;
   float eta_t = c < 0.0 ? ext_ior : int_ior;
   float ci = min(abs(c), 1.0);
   // Written in the difference of the indices, so that nothing cancels where they are nearly equal:
-  // ct^2 = 1 - r + r ci^2, rs = (eta_i^2 - eta_t^2) / a^2, rp = (eta_t^2 - eta_i^2) (ci^2 (1 + r) - r) / b^2, r = (eta_i / eta_t)^2.
+  // ct^2 = 1 - r + r ci^2, rs = (eta_i^2 - eta_t^2) / a^2, rp = (eta_t^2 - eta_i^2) (ci^2 (1 + r) -
+  // r) / b^2, r = (eta_i / eta_t)^2.
   float d = (eta_t - eta_i) * (eta_t + eta_i);
   float ratio = eta_i / eta_t;
   float r = ratio * ratio;

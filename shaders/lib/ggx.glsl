@@ -1,5 +1,6 @@
-// The GGX microfacet distribution (B. Walter et al. 2007; T. Trowbridge, K. Reitz 1975): density, masking, and two ways of
-// sampling half vectors. Directions are in the shading frame, wo and wi on the upper side.
+// The GGX microfacet distribution (B. Walter et al. 2007; T. Trowbridge, K. Reitz 1975): density,
+// masking, and two ways of sampling half vectors. Directions are in the shading frame, wo and wi on
+// the upper side.
 #ifndef FACET_GGX_GLSL
 #define FACET_GGX_GLSL
 #include "elementary.glsl"
@@ -10,7 +11,8 @@ float ggx_d(vec3 h, float alpha) {
   float r2 = h.x * h.x + h.y * h.y;
   float z2 = h.z * h.z;
   float a2 = alpha * alpha;
-  // alpha^2 (r^2 + z^2)^2 / (pi (alpha^2 z^2 + r^2)^2), as the square of a ratio that neither over- nor underflows.
+  // alpha^2 (r^2 + z^2)^2 / (pi (alpha^2 z^2 + r^2)^2), as the square of a ratio that neither over-
+  // nor underflows.
   float ratio = (r2 + z2) / (a2 * z2 + r2);
   return h.z > 0.0 ? (a2 * INV_PI) * (ratio * ratio) : 0.0;
 }

@@ -1,5 +1,5 @@
-// A rough surface: which distribution of microfacets it has, and how it is sampled and masked. Directions are in the
-// shading frame, on the upper side.
+// A rough surface: which distribution of microfacets it has, and how it is sampled and masked.
+// Directions are in the shading frame, on the upper side.
 #ifndef FACET_MICROFACET_GLSL
 #define FACET_MICROFACET_GLSL
 #include "beckmann.glsl"
@@ -34,7 +34,9 @@ float microfacet_g1(vec3 w, Microfacets m) {
 }
 
 /// Separable Smith masking-shadowing.
-float microfacet_g(vec3 wi, vec3 wo, Microfacets m) { return microfacet_g1(wi, m) * microfacet_g1(wo, m); }
+float microfacet_g(vec3 wi, vec3 wo, Microfacets m) {
+  return microfacet_g1(wi, m) * microfacet_g1(wo, m);
+}
 
 /// Unit half vector by the chosen strategy.
 vec3 microfacet_sample_half_vector(vec3 wo, Microfacets m, vec2 u) {
@@ -46,14 +48,16 @@ vec3 microfacet_sample_half_vector(vec3 wo, Microfacets m, vec2 u) {
   return beckmann_sample_ndf(m.alpha, u);
 }
 
-/// Density of the half vector over 4 wo.h, that of the reflected direction, sr^-1, for h of any length; o_dot_h = dot(wo, h).
+/// Density of the half vector over 4 wo.h, that of the reflected direction, sr^-1, for h of any
+/// length; o_dot_h = dot(wo, h).
 float microfacet_pdf(vec3 h, float o_dot_h, vec3 wo, Microfacets m) {
   float d = microfacet_d(h, m);
   if (VISIBLE_NORMALS) return d * 0.25 * microfacet_normalisation(wo, m) / wo.z;
   return o_dot_h > 0.0 ? d * 0.25 * h.z / o_dot_h : 0.0;  // both cosines carry the length of h
 }
 
-/// G D / (4 cos_i cos_o) * cos_i over that density, with D cancelled by hand, for the unit half vector wh, c = dot(wo, wh) > 0.
+/// G D / (4 cos_i cos_o) * cos_i over that density, with D cancelled by hand, for the unit half
+/// vector wh, c = dot(wo, wh) > 0.
 float microfacet_weight(vec3 wh, float c, vec3 wo, vec3 wi, Microfacets m) {
   float g_i = microfacet_g1(wi, m);
   float g_o = microfacet_g1(wo, m);

@@ -1,16 +1,20 @@
-// What light loses between microfacets, given back: E. Turquin, "Practical multiple scattering compensation for microfacet
-// models", 2019. The value is multiplied by 1 + F0 (1 - E)/E, E being the albedo with F = 1 from tables made by the build. With F = 1
-// nothing is lost; the value is no longer reciprocal.
+// What light loses between microfacets, given back: E. Turquin, "Practical multiple scattering
+// compensation for microfacet models", 2019. The value is multiplied by 1 + F0 (1 - E)/E, E being
+// the albedo with F = 1 from tables made by the build. With F = 1 nothing is lost; the value is no
+// longer reciprocal.
 #ifndef FACET_MULTISCATTER_GLSL
 #define FACET_MULTISCATTER_GLSL
 #include "microfacet.glsl"
 #include "records.glsl"
 
-float albedo_node(uint table, uint column, uint row) { return fetch_albedo((table * ALBEDO_NODES + row) * ALBEDO_NODES + column); }
+float albedo_node(uint table, uint column, uint row) {
+  return fetch_albedo((table * ALBEDO_NODES + row) * ALBEDO_NODES + column);
+}
 
 /// Albedo with F = 1 seen under a cosine, bilinear between the tables' nodes.
 float microfacet_albedo(float cosine, Microfacets m) {
-  uint table = HAS_FLAG(m.flags, BSDF_EXACT_MASKING) ? ALBEDO_BECKMANN_EXACT : ALBEDO_BECKMANN_RATIONAL;
+  uint table =
+      HAS_FLAG(m.flags, BSDF_EXACT_MASKING) ? ALBEDO_BECKMANN_EXACT : ALBEDO_BECKMANN_RATIONAL;
   table = HAS_FLAG(m.flags, BSDF_GGX) ? ALBEDO_GGX : table;
   // From behind it is asked for too, and not used.
   float c = max(cosine, 0.0);

@@ -1,4 +1,5 @@
-// Queues of slots. Their order depends on timing; no result does, since a slot touches only its own records.
+// Queues of slots. Their order depends on timing; no result does, since a slot touches only its own
+// records.
 #ifndef FACET_QUEUE_GLSL
 #define FACET_QUEUE_GLSL
 #include "bindings.glsl"
@@ -8,7 +9,9 @@ uint queue_capacity() { return uint(queues.length()) / 2u; }
 
 /// Entry i of this bounce's queue, NONE beyond its end.
 uint queued_slot(uint i) {
-  return i < counters[COUNTER_ACTIVE + pass_constants.queue] ? queues[pass_constants.queue * queue_capacity() + i] : NONE;
+  return i < counters[COUNTER_ACTIVE + pass_constants.queue]
+             ? queues[pass_constants.queue * queue_capacity() + i]
+             : NONE;
 }
 
 /// Puts a slot into the queue of the next bounce.

@@ -7,8 +7,8 @@
 
 /// What a random number depends on beside its dimension.
 struct SampleId {
-  uint pixel;   // y * width + x of the whole image
-  uint index;   // of the sample
+  uint pixel;  // y * width + x of the whole image
+  uint index;  // of the sample
   uint seed;
 };
 

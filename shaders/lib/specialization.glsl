@@ -26,7 +26,8 @@ layout(constant_id = SPEC_VISIBLE_NORMALS) const bool VISIBLE_NORMALS = true;
 layout(constant_id = SPEC_POWER_HEURISTIC) const bool POWER_HEURISTIC = false;
 /// Paths can be long enough for Russian roulette.
 layout(constant_id = SPEC_ROULETTE) const bool ROULETTE = true;
-/// Flags that some BSDF of the scene has, and those that all have that could (of rough ones: the rough ones).
+/// Flags that some BSDF of the scene has, and those that all have that could (of rough ones: the
+/// rough ones).
 layout(constant_id = SPEC_BSDF_FLAGS_SOME) const uint BSDF_FLAGS_SOME = 0xffffffffu;
 layout(constant_id = SPEC_BSDF_FLAGS_ALL) const uint BSDF_FLAGS_ALL = 0;
 /// Bit 0: the scene has a checker; bit 1: a textmap.
@@ -37,7 +38,8 @@ layout(constant_id = SPEC_EVERY_EMITTER) const bool EVERY_EMITTER = false;
 layout(constant_id = SPEC_SAMPLER) const uint SAMPLER = 0;
 /// The reconstruction filter is negative in parts.
 layout(constant_id = SPEC_NEGATIVE_FILTER) const bool NEGATIVE_FILTER = true;
-/// The bounce is that of the camera's rays; it comes after the last interaction, so that emission alone is looked for.
+/// The bounce is that of the camera's rays; it comes after the last interaction, so that emission
+/// alone is looked for.
 layout(constant_id = SPEC_CAMERA_BOUNCE) const bool CAMERA_BOUNCE = true;
 layout(constant_id = SPEC_LAST_BOUNCE) const bool LAST_BOUNCE = false;
 /// No bounce follows the first.
@@ -61,8 +63,10 @@ FACET_SAMPLER_LIST(FACET_ID)
 
 /// Whether the scene has an emitter of this id.
 #define HAS_EMITTER(name) ((EMITTER_MASK & (1u << EMITTER_##name)) != 0u)
-/// True for an emitter's type of this id; known when the kernel is specialised where the scene has none of it, or nothing else.
-#define IS_EMITTER(type, name) (HAS_EMITTER(name) && (EMITTER_MASK == (1u << EMITTER_##name) || type == EMITTER_##name))
+/// True for an emitter's type of this id; known when the kernel is specialised where the scene has
+/// none of it, or nothing else.
+#define IS_EMITTER(type, name) \
+  (HAS_EMITTER(name) && (EMITTER_MASK == (1u << EMITTER_##name) || type == EMITTER_##name))
 /// Whether the BSDF has the flag; known when the kernel is specialised where none has it, or all.
 #define HAS_FLAG(bsdf_flags, flag) \
   ((BSDF_FLAGS_SOME & flag) != 0u && ((BSDF_FLAGS_ALL & flag) != 0u || (bsdf_flags & flag) != 0u))

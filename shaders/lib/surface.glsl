@@ -7,17 +7,19 @@
 #include "specialization.glsl"
 
 struct Surface {
-  vec3 position;   // world space
-  float magnitude;  // largest absolute coordinate of the triangle's vertices: scales the bound of rounding errors
-  vec3 ng;         // geometric normal, unit, by the triangle's winding
-  vec3 ns;         // shading normal, unit: interpolated where the mesh has vertex normals
-  vec2 uv;         // texture coordinates, where the scene has textures
+  vec3 position;    // world space
+  float magnitude;  // largest absolute coordinate of the triangle's vertices: scales the bound of
+                    // rounding errors
+  vec3 ng;          // geometric normal, unit, by the triangle's winding
+  vec3 ns;          // shading normal, unit: interpolated where the mesh has vertex normals
+  vec2 uv;          // texture coordinates, where the scene has textures
   uint mesh;
   uint index;  // of the triangle in the scene, in order of reading
 };
 
-/// Unit normal of a triangle by its winding. Of two edges that are almost parallel only their perpendicular parts count, so that no digits cancel;
-/// the product of others has all digits as it is, and components that are 0 by symmetry stay so.
+/// Unit normal of a triangle by its winding. Of two edges that are almost parallel only their
+/// perpendicular parts count, so that no digits cancel; the product of others has all digits as it
+/// is, and components that are 0 by symmetry stay so.
 vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
   vec3 to_v2 = v2 - v0;
   vec3 opposite = v2 - v1;
@@ -29,7 +31,8 @@ vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
   return normalize_safe(dot3(n, n) < 0.01 ? of_thin : n);
 }
 
-/// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in order of reading.
+/// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in
+/// order of reading.
 Surface surface_at(uint triangle, float b1, float b2) {
   TriangleName name = triangle_name(triangle);
   Corners corners = fetch_corners(triangle >> 1u);
@@ -52,7 +55,8 @@ Surface surface_at(uint triangle, float b1, float b2) {
     uvec4 n = fetch_normal_indices(index);
     bool has = listed && n.x != NONE;
     n = has ? n : uvec4(0u);
-    vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x).xyz + b1 * fetch_normal(n.y).xyz) + b2 * fetch_normal(n.z).xyz);
+    vec3 interpolated = normalize_safe((b0 * fetch_normal(n.x).xyz + b1 * fetch_normal(n.y).xyz) +
+                                       b2 * fetch_normal(n.z).xyz);
     s.ns = (has && interpolated != vec3(0.0)) ? interpolated : s.ng;
   }
   s.uv = vec2(b1, b2);
@@ -60,7 +64,8 @@ Surface surface_at(uint triangle, float b1, float b2) {
     uvec4 t = fetch_texcoord_indices(index);
     bool has = listed && t.x != NONE;
     t = has ? t : uvec4(0u);
-    vec2 interpolated = (b0 * fetch_texcoord(t.x) + b1 * fetch_texcoord(t.y)) + b2 * fetch_texcoord(t.z);
+    vec2 interpolated =
+        (b0 * fetch_texcoord(t.x) + b1 * fetch_texcoord(t.y)) + b2 * fetch_texcoord(t.z);
     s.uv = has ? interpolated : s.uv;
   }
   return s;

@@ -1,4 +1,5 @@
-// Textures: colours over (u, v) (docs/sampling.md, "Textures"); manuals in host/scene/texture/texture.h.
+// Textures: colours over (u, v) (docs/sampling.md, "Textures"); manuals in
+// host/scene/texture/texture.h.
 #ifndef FACET_TEXTURE_GLSL
 #define FACET_TEXTURE_GLSL
 #include "records.glsl"
@@ -12,7 +13,8 @@ bool is_odd(float whole) { return whole - 2.0 * floor(whole * 0.5) == 1.0; }
 
 // Each axis by itself, since a sum of large numbers rounds.
 vec3 checker_value(TextureRecord t, vec2 uv) {
-  return is_odd(floor(uv.x * t.first.w)) != is_odd(floor(uv.y * t.second.w)) ? t.second.rgb : t.first.rgb;
+  return is_odd(floor(uv.x * t.first.w)) != is_odd(floor(uv.y * t.second.w)) ? t.second.rgb
+                                                                             : t.first.rgb;
 }
 
 /// What a byte of an image stands for.
@@ -24,10 +26,12 @@ vec3 image_texel(TextureRecord t, uint x, uint y) {
   uint i = y * t.width + x;
   if ((TEXTURE_KINDS & TEXTURE_FLOATS) != 0u && t.decoding == NONE) {
     uint at = t.first_texel + 3u * i;
-    return uintBitsToFloat(uvec3(fetch_image_word(at), fetch_image_word(at + 1u), fetch_image_word(at + 2u)));
+    return uintBitsToFloat(
+        uvec3(fetch_image_word(at), fetch_image_word(at + 1u), fetch_image_word(at + 2u)));
   }
   uint texel = fetch_image_word(t.first_texel + i);
-  return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u), texel_channel(t, texel, 16u));
+  return vec3(texel_channel(t, texel, 0u), texel_channel(t, texel, 8u),
+              texel_channel(t, texel, 16u));
 }
 
 vec3 image_value(TextureRecord t, vec2 uv) {

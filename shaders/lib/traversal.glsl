@@ -1,16 +1,19 @@
-// Traversal of the BVH: closest hit, and any hit. Every loop is bounded and tested at its top: Mesa 22's lavapipe has one
-// budget of 65,535 loop iterations per subgroup, after which loops silently end, and loses values that leave a
-// bottom-tested loop. A loop that ended early is recognised by what it left undone.
+// Traversal of the BVH: closest hit, and any hit. Every loop is bounded and tested at its top: Mesa
+// 22's lavapipe has one budget of 65,535 loop iterations per subgroup, after which loops silently
+// end, and loses values that leave a bottom-tested loop. A loop that ended early is recognised by
+// what it left undone.
 #ifndef FACET_TRAVERSAL_GLSL
 #define FACET_TRAVERSAL_GLSL
 #include "geometry.glsl"
 #include "pending.glsl"
 
-/// Iterations after which a traversal gives up and is counted in bound_hits: a bounce has two of them.
+/// Iterations after which a traversal gives up and is counted in bound_hits: a bounce has two of
+/// them.
 const uint TRAVERSAL_BOUND = 30000u;
 
-/// Children that the ray meets, in the order in which it enters them. t: where it enters each, LARGEST for those it misses.
-/// Sorted as integers whose two lowest bits are the child: alike but for a quarter of a millionth, and half the work.
+/// Children that the ray meets, in the order in which it enters them. t: where it enters each,
+/// LARGEST for those it misses. Sorted as integers whose two lowest bits are the child: alike but
+/// for a quarter of a millionth, and half the work.
 ChildList sorted_children(vec4 t) {
   uvec4 k = (floatBitsToUint(t) & ~3u) | uvec4(0u, 1u, 2u, 3u);
   uvec2 low = min(k.xz, k.yw);
@@ -26,8 +29,8 @@ ChildList sorted_children(vec4 t) {
   return ChildList(first < missed, first & 3u, rest);
 }
 
-/// Nearest hit with t_min < t < t_max, or with `any` the first that is found; triangle NONE for a miss. The weights are those
-/// of a PairHit. complete: false where the bound was reached.
+/// Nearest hit with t_min < t < t_max, or with `any` the first that is found; triangle NONE for a
+/// miss. The weights are those of a PairHit. complete: false where the bound was reached.
 HitRecord trace(RayRecord record, bool any, out bool complete) {
   TraversalRay ray = traversal_ray(record);
   HitRecord hit = HitRecord(ray.t_max, NONE, 0.0, 0.0);
@@ -38,7 +41,8 @@ HitRecord trace(RayRecord record, bool any, out bool complete) {
   while (place != NOWHERE && steps < TRAVERSAL_BOUND) {
     while (!is_leaf(place) && steps < TRAVERSAL_BOUND) {
       BvhNode node = fetch_node(place);
-      place = take_next(pending, node.lower_header.w, sorted_children(intersect_children(ray, node, hit.t)));
+      place = take_next(pending, node.lower_header.w,
+                        sorted_children(intersect_children(ray, node, hit.t)));
       ++steps;
     }
     bool at_leaf = is_leaf(place) && place != NOWHERE;
@@ -58,7 +62,8 @@ HitRecord trace(RayRecord record, bool any, out bool complete) {
   return hit;
 }
 
-/// The hit with the weights of the second and third vertex in order of reading, as all else counts them.
+/// The hit with the weights of the second and third vertex in order of reading, as all else counts
+/// them.
 HitRecord in_order_of_reading(HitRecord hit) {
   bool missed = hit.triangle == NONE;
   uint corners = triangle_name(missed ? 0u : hit.triangle).corners;
@@ -71,9 +76,13 @@ HitRecord in_order_of_reading(HitRecord hit) {
 }
 
 /// As trace; the weights are those of the second and third vertex in order of reading.
-HitRecord trace_closest(RayRecord record, out bool complete) { return in_order_of_reading(trace(record, false, complete)); }
+HitRecord trace_closest(RayRecord record, out bool complete) {
+  return in_order_of_reading(trace(record, false, complete));
+}
 
 /// Whether anything is hit with t_min < t < t_max.
-bool trace_any(RayRecord record, out bool complete) { return trace(record, true, complete).triangle != NONE; }
+bool trace_any(RayRecord record, out bool complete) {
+  return trace(record, true, complete).triangle != NONE;
+}
 
 #endif

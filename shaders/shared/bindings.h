@@ -8,7 +8,8 @@ FACET_SHARED_BEGIN
 FACET_CONSTANT uint WORKGROUP_SIZE = 64u;
 
 // Numbers by name: BINDING_rays.
-#define FACET_NUMBER(number, kind, names, name, Record) FACET_CONSTANT uint BINDING_##names = number;
+#define FACET_NUMBER(number, kind, names, name, Record) \
+  FACET_CONSTANT uint BINDING_##names = number;
 FACET_BINDING_LIST(FACET_NUMBER)
 #undef FACET_NUMBER
 /// Number of the binding by which a state's records are read as texels, less that of the state.

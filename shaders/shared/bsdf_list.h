@@ -1,6 +1,6 @@
-// Every BSDF, once: X(name, Type, id). The ids, the GLSL dispatch (shaders/lib/bsdf.glsl), the host's readers
-// and packers (host/scene/bsdf) and the tests all follow from this list. `name` is the scene language's type,
-// `Type` its parameters' type in C++.
+// Every BSDF, once: X(name, Type, id). The ids, the GLSL dispatch (shaders/lib/bsdf.glsl), the
+// host's readers and packers (host/scene/bsdf) and the tests all follow from this list. `name` is
+// the scene language's type, `Type` its parameters' type in C++.
 #ifndef FACET_SHARED_BSDF_LIST_H
 #define FACET_SHARED_BSDF_LIST_H
 

@@ -1,5 +1,5 @@
-// The random dimension of every decision (docs/sampling.md, "Dimensions"). A block of four dimensions is one
-// call of the hash; dimension d is component d % 4 of block d / 4.
+// The random dimension of every decision (docs/sampling.md, "Dimensions"). A block of four
+// dimensions is one call of the hash; dimension d is component d % 4 of block d / 4.
 #ifndef FACET_SHARED_DIMENSIONS_H
 #define FACET_SHARED_DIMENSIONS_H
 #include "types.h"
@@ -12,7 +12,8 @@ FACET_CONSTANT uint BLOCK_CAMERA = 0u;
 FACET_CONSTANT uint CAMERA_FILTER_X = 0u;
 FACET_CONSTANT uint CAMERA_FILTER_Y = 1u;
 
-/// Surface interaction k = 1, 2, ... owns the blocks BLOCK_FIRST_BOUNCE + (k - 1) * BLOCKS_PER_BOUNCE + ...
+/// Surface interaction k = 1, 2, ... owns the blocks BLOCK_FIRST_BOUNCE + (k - 1) *
+/// BLOCKS_PER_BOUNCE + ...
 FACET_CONSTANT uint BLOCK_FIRST_BOUNCE = 1u;
 FACET_CONSTANT uint BLOCKS_PER_BOUNCE = 2u;
 
@@ -27,7 +28,8 @@ FACET_CONSTANT uint EMITTER_PRIMITIVE = 1u;
 FACET_CONSTANT uint EMITTER_U = 2u;
 FACET_CONSTANT uint EMITTER_V = 3u;
 
-/// Second block of a bounce: the BSDF sample and Russian roulette. u and v are one pair of the sobol sampler.
+/// Second block of a bounce: the BSDF sample and Russian roulette. u and v are one pair of the
+/// sobol sampler.
 FACET_CONSTANT uint BOUNCE_BSDF = 1u;
 FACET_CONSTANT uint BSDF_LOBE = 0u;
 FACET_CONSTANT uint BSDF_ROULETTE = 1u;

@@ -1,8 +1,9 @@
 // Every integrator, once: X(name, kernel, emitter sampling, material sampling, interactions).
-// `kernel` names the shading function in shaders/integrator; the two flags say which estimators of direct
-// light it uses (both: combined by MIS), emitter sampling 2 being a sample of every emitter, where paths go
-// on at delta lobes alone; `interactions` is the number of surface interactions it is limited to, -1 where
-// the scene's maxDepth alone limits it. `name` is the scene language's type.
+// `kernel` names the shading function in shaders/integrator; the two flags say which estimators of
+// direct light it uses (both: combined by MIS), emitter sampling 2 being a sample of every emitter,
+// where paths go on at delta lobes alone; `interactions` is the number of surface interactions it
+// is limited to, -1 where the scene's maxDepth alone limits it. `name` is the scene language's
+// type.
 #ifndef FACET_SHARED_INTEGRATOR_LIST_H
 #define FACET_SHARED_INTEGRATOR_LIST_H
 #include "types.h"

@@ -1,7 +1,8 @@
 // The integers behind every random number (docs/sampling.md, "Numbers").
-// Sources: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg4d); B. Burley,
-// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; S. Laine, T. Karras, "Stratified Sampling for
-// Stochastic Transparency", 2011, with the constants of N. Vegdahl, "Building a Better LK Hash", 2021.
+// Sources: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg4d); B.
+// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; S. Laine, T. Karras, "Stratified
+// Sampling for Stochastic Transparency", 2011, with the constants of N. Vegdahl, "Building a Better
+// LK Hash", 2021.
 #ifndef FACET_SHARED_RANDOM_HASH_H
 #define FACET_SHARED_RANDOM_HASH_H
 #include "types.h"
@@ -30,8 +31,8 @@ FACET_FUNCTION uint reversed_bits(uint x) {
   return (x << 16u) | (x >> 16u);
 }
 
-/// A bijection of 32 bits in which each bit depends on those below it and itself alone: Owen's scrambling of
-/// a fraction whose bits are reversed.
+/// A bijection of 32 bits in which each bit depends on those below it and itself alone: Owen's
+/// scrambling of a fraction whose bits are reversed.
 FACET_FUNCTION uint laine_karras(uint x, uint seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -41,9 +42,9 @@ FACET_FUNCTION uint laine_karras(uint x, uint seed) {
   return x;
 }
 
-/// Bit j of the result is the sum modulo 2 of the bits k of x whose k has all of j's bits: the second
-/// dimension of Sobol's sequence for index x, its bits reversed (that dimension's matrix is Pascal's triangle
-/// modulo 2).
+/// Bit j of the result is the sum modulo 2 of the bits k of x whose k has all of j's bits: the
+/// second dimension of Sobol's sequence for index x, its bits reversed (that dimension's matrix is
+/// Pascal's triangle modulo 2).
 FACET_FUNCTION uint reversed_sobol_1(uint x) {
   x ^= (x & 0xaaaaaaaau) >> 1u;
   x ^= (x & 0xccccccccu) >> 2u;
@@ -59,8 +60,8 @@ FACET_FUNCTION uvec2 scrambled_sobol(uint index, uvec4 seeds) {
                reversed_bits(laine_karras(reversed_sobol_1(shuffled), seeds.z)));
 }
 
-/// The four words of a block of dimensions: components (0, 1) and (2, 3) are two pairs, shuffled and
-/// scrambled apart.
+/// The four words of a block of dimensions: components (0, 1) and (2, 3) are two pairs, shuffled
+/// and scrambled apart.
 FACET_FUNCTION uvec4 sobol_block(uint pixel, uint index, uint block, uint seed) {
   uvec2 first = scrambled_sobol(index, pcg4d(uvec4(pixel, block, 0u, seed)));
   uvec2 second = scrambled_sobol(index, pcg4d(uvec4(pixel, block, 1u, seed)));

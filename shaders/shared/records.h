@@ -1,5 +1,6 @@
-// The records that host and kernels exchange. One definition each; of those that kernels see as they are, a
-// test compares the offsets with C++'s. The scene's they read texel by texel (shaders/lib/records.glsl).
+// The records that host and kernels exchange. One definition each; of those that kernels see as
+// they are, a test compares the offsets with C++'s. The scene's they read texel by texel
+// (shaders/lib/records.glsl).
 #ifndef FACET_SHARED_RECORDS_H
 #define FACET_SHARED_RECORDS_H
 #include "types.h"
@@ -8,10 +9,11 @@ FACET_SHARED_BEGIN
 /// No triangle was hit; also: no emitter, no normals.
 FACET_CONSTANT uint NONE = 0xffffffffu;
 
-// The BVH is one array of items of 48 bytes, each a node or one or two triangles, fetched as three RGBA32UI
-// texels. A node's four children are the items of one block, four in a row: inner nodes first, then
-// triangles. So whether child c is a leaf, and where it lies, follows from the node's header alone. Item 0 is
-// a triangle that no ray hits: what kernels without branches look at where there is nothing to look at.
+// The BVH is one array of items of 48 bytes, each a node or one or two triangles, fetched as three
+// RGBA32UI texels. A node's four children are the items of one block, four in a row: inner nodes
+// first, then triangles. So whether child c is a leaf, and where it lies, follows from the node's
+// header alone. Item 0 is a triangle that no ray hits: what kernels without branches look at where
+// there is nothing to look at.
 
 FACET_CONSTANT uint ROOT_ITEM = 1u;
 
@@ -23,25 +25,26 @@ FACET_CONSTANT uint BLOCK_SIZE = 4u;
 FACET_CONSTANT uint HEADER_INNER_BITS = 3u;
 FACET_CONSTANT uint HEADER_INNER_MASK = 7u;
 
-/// An item: the bits of a node, or of the coordinates of four corners, world space. The corners' triangles,
-/// which have an edge in common, are 0, 1, 2 and 0, 2, 3; where there is one triangle only, corner 3 is
-/// corner 2 once more. Bits and no floats, since some, taken for floats, would be denormals, which a device
-/// may flush.
+/// An item: the bits of a node, or of the coordinates of four corners, world space. The corners'
+/// triangles, which have an edge in common, are 0, 1, 2 and 0, 2, 3; where there is one triangle
+/// only, corner 3 is corner 2 once more. Bits and no floats, since some, taken for floats, would be
+/// denormals, which a device may flush.
 struct BvhItem {
   uvec4 texels[3];
 };
 
-/// A node. A child's box along axis a is [origin[a] + lo * 2^e[a], origin[a] + hi * 2^e[a]], lo and hi being
-/// bytes of `lower` and `upper`.
+/// A node. A child's box along axis a is [origin[a] + lo * 2^e[a], origin[a] + hi * 2^e[a]], lo and
+/// hi being bytes of `lower` and `upper`.
 struct BvhNode {
-  uvec4 origin_exponents;  // x, y, z: bits of the floats; w: byte a is the biased exponent of axis a
-  uvec4 lower_header;      // x, y, z: byte c is child c's lower plane; w: the header
-  uvec4 upper;             // x, y, z: byte c is child c's upper plane; w: unused
+  uvec4
+      origin_exponents;  // x, y, z: bits of the floats; w: byte a is the biased exponent of axis a
+  uvec4 lower_header;    // x, y, z: byte c is child c's lower plane; w: the header
+  uvec4 upper;           // x, y, z: byte c is child c's upper plane; w: unused
 };
 
-/// What the two triangles of an item are in the scene; triangle h of item i has place 2 * i + h. A name: a
-/// triangle's index in the scene, in order of reading, below two bits for each of its vertices, in order of
-/// reading: which corner it is.
+/// What the two triangles of an item are in the scene; triangle h of item i has place 2 * i + h. A
+/// name: a triangle's index in the scene, in order of reading, below two bits for each of its
+/// vertices, in order of reading: which corner it is.
 struct PairRecord {
   uint name0;
   uint name1;
@@ -54,8 +57,8 @@ FACET_CONSTANT uint NAME_INDEX_MASK = 0x03ffffffu;
 struct MeshRecord {
   uint bsdf;
   uint emitter;     // NONE for a mesh that does not emit
-  uint attributes;  // a triangle's index in the scene, less this, is that of its normals' and texture
-                    // coordinates' indices; NONE without any
+  uint attributes;  // a triangle's index in the scene, less this, is that of its normals' and
+                    // texture coordinates' indices; NONE without any
   uint unused0;
 };
 
@@ -76,8 +79,8 @@ FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
 FACET_CONSTANT uint ALBEDO_GGX = 2u;
 
 /// A BSDF's parameters. Where each lies in `a`, `b` and `c` follows from their declaration
-/// (host/render/pack/bsdf_record.h); shaders read them by functions named after them (roughsubstrate_kd).
-/// A texture's value takes the place of the constant; NONE: none does.
+/// (host/render/pack/bsdf_record.h); shaders read them by functions named after them
+/// (roughsubstrate_kd). A texture's value takes the place of the constant; NONE: none does.
 struct BsdfRecord {
   uint type;  // id of bsdf_list.h
   uint flags;
@@ -103,12 +106,13 @@ struct TextureRecord {
 };
 
 struct EmitterRecord {
-  vec4 radiance;        // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1)
-  vec4 position;        // world space (point lights)
-  uint type;            // id of emitter_list.h
-  uint cumulative;      // the emitter is chosen by the words below this and not below its predecessor's
-                        // (docs/sampling.md)
-  uint first_triangle;  // range of emitter_triangles: all triangles of the mesh, in order of reading
+  vec4 radiance;    // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1)
+  vec4 position;    // world space (point lights)
+  uint type;        // id of emitter_list.h
+  uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
+                    // (docs/sampling.md)
+  uint
+      first_triangle;  // range of emitter_triangles: all triangles of the mesh, in order of reading
   uint triangle_count;
   float probability;  // of being chosen
   uint texture;       // its value is a factor on the radiance; NONE: none
@@ -135,11 +139,11 @@ struct EnvironmentRow {
 /// What stays the same for a whole render.
 struct FrameRecord {
   vec4 camera_origin;  // world space; w: nearClip
-  vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world space; w:
-                       // farClip
-  vec4 camera_dx;      // change of that direction per pixel to the right
-  vec4 camera_dy;      // change per pixel downwards
-  uint width;          // of the whole image, pixels
+  vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world
+                       // space; w: farClip
+  vec4 camera_dx;  // change of that direction per pixel to the right
+  vec4 camera_dy;  // change per pixel downwards
+  uint width;      // of the whole image, pixels
   uint height;
   uint crop_x;
   uint crop_y;
@@ -154,8 +158,8 @@ struct FrameRecord {
   uint filter_intervals;
   float filter_crossing;  // |offset| beyond which the filter is negative, pixels
   float filter_scale;     // integral of |f| over integral of f, along one axis
-  float square_scale;  // power of two that values are multiplied by before they are squared: squares stay in
-                       // range
+  float square_scale;     // power of two that values are multiplied by before they are squared:
+                       // squares stay in range
   vec4 simple_position;  // of the `simple` integrator's light, world space
   vec4 simple_energy;    // rgb: its energy over 4 pi^2
 };
@@ -200,8 +204,8 @@ struct PassConstants {
   uint sample_count;  // per pixel
   uint bounce;        // 0: rays from the camera
   uint queue;         // 0 or 1: which half of the queues is read
-  uint
-      stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to their number
+  uint stride;  // of the permutation that spreads the pixels' tiles over the dispatch, coprime to
+                // their number
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
@@ -239,9 +243,11 @@ FACET_SHARED_END
 namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
-static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 && sizeof(EmitterTriangle) == 16);
+static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 &&
+              sizeof(EmitterTriangle) == 16);
 static_assert(sizeof(TextureRecord) == 48);
-static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 && sizeof(RayRecord) == 32);
+static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 &&
+              sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
 static_assert(sizeof(EvaluationRecord) == 32 && sizeof(QueryRecord) == 32);

@@ -1,4 +1,5 @@
-// Every sampler: its name in the scene language and its id; where the numbers of a sample come from.
+// Every sampler: its name in the scene language and its id; where the numbers of a sample come
+// from.
 #ifndef FACET_SHARED_SAMPLER_LIST_H
 #define FACET_SHARED_SAMPLER_LIST_H
 

@@ -1,6 +1,6 @@
 // Lets one header be read by GLSL and by C++: GLSL's vector names, mapped to GLM on the host.
-// Records built from these types are multiples of 16 bytes and hold neither vec3 nor bool, so that std430 and
-// C++ lay them out alike.
+// Records built from these types are multiples of 16 bytes and hold neither vec3 nor bool, so that
+// std430 and C++ lay them out alike.
 #ifndef FACET_SHARED_TYPES_H
 #define FACET_SHARED_TYPES_H
 

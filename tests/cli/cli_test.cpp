@@ -56,19 +56,19 @@ TEST_F(CliTest, OptionValues) {
 
 TEST_F(CliTest, Regions) {
   for (const char* crop : {"0,0,17,16", "4,4,4,8", "8,8,4,4", "16,0,17,1"})
-    expect_failure({"render", "scene.xml", "--crop", crop}, 2, {"--crop", crop, "16x16"});
+    expect_failure({"render", "scene.xml", "--crop", crop}, 2, {"crop", crop, "16x16"});
   for (const char* crop : {"", "1,2,3", "0,0,1,1,1", "a,b,c,d", "0,0,1,1x", "0 0 1 1", ",,,",
                            "0,0,1,99999999999999999999"})
     expect_failure({"render", "scene.xml", "--crop", crop}, 2, {"--crop", "X0,Y0,X1,Y1"});
   expect_failure({"render", "scene.xml", "--crop=-1,0,4,4"}, 2, {"--crop", "X0,Y0,X1,Y1"});
   for (const char* pixel : {"16,0", "0,16"})
-    expect_failure({"render", "scene.xml", "--pixel", pixel}, 2, {"--pixel", pixel, "16x16"});
+    expect_failure({"render", "scene.xml", "--pixel", pixel}, 2, {"pixel", pixel, "16x16"});
   expect_failure({"render", "scene.xml", "--pixel", "4294967296,0"}, 2,
                  {"--pixel", "4294967296", "too large"});
   expect_failure({"render", "scene.xml", "--pixel", "3"}, 2, {"--pixel", "X,Y"});
   expect_failure({"render", "scene.xml", "--pixel", "9223372036854775807,0"}, 2, {"--pixel"});
   expect_failure({"render", "scene.xml", "--pixel", "1,1", "--crop", "0,0,2,2"}, 2,
-                 {"--crop", "--pixel", "exclude"});
+                 {"crop", "pixel", "exclude"});
 }
 
 TEST_F(CliTest, Sizes) {
@@ -81,7 +81,7 @@ TEST_F(CliTest, Sizes) {
 
 TEST_F(CliTest, SampleRanges) {
   for (const char* range : {"0:0", "4:2", "0:99999999999"})
-    expect_failure({"render", "scene.xml", "--sample-range", range}, 2, {"--sample-range", range});
+    expect_failure({"render", "scene.xml", "--sample-range", range}, 2, {"sample range", range});
   for (const char* range : {"4", "a:b", "1:2:3", ":"})
     expect_failure({"render", "scene.xml", "--sample-range", range}, 2,
                    {"--sample-range", range, "A:B"});

@@ -63,7 +63,7 @@ TEST_F(ReferenceCliTest, OptionsThatDoNotGoTogetherAreErrors) {
   expect_failure({"render", "scene.xml", "--precision", "double"}, 2,
                  {"--precision", "--backend reference"});
   expect_failure({"render", "scene.xml", "--sampling", "uniform"}, 2,
-                 {"--sampling uniform", "reference"});
+                 {"uniform sampling", "reference"});
   expect_failure({"render", "scene.xml", "--backend", "reference", "--device", "0"}, 2,
                  {"--device", "vulkan"});
   expect_failure({"render", "scene.xml", "--backend", "reference", "--validate"}, 2,
