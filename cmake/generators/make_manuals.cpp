@@ -1,9 +1,9 @@
 // Build tool: turns the comments at the heads of plugins into strings.
 //     make_manuals OUT.cpp FILE...
 // A manual is a comment that begins a line with "/* NAME, NAME: what it is.", its first sentence
-// being the plugin in one line. What begins with "Record:" is about the program's inside and left
-// out. The plugin's kind is the file's folder, or in host/scene the file itself. After the first
-// paragraph the table of the plugin's parameters will stand (host/scene/manuals.h).
+// being the plugin in one line. The plugin's kind is the file's folder, or in host/scene the file
+// itself. After the first paragraph the table of the plugin's parameters will stand
+// (host/scene/manuals.h).
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -46,16 +46,14 @@ std::string kind_of(const std::filesystem::path& file) {
   return stem == "filter" ? "rfilter" : stem;
 }
 
-/// The comment's lines without their indentation and without paragraphs about records.
+/// The comment's lines without their indentation.
 std::string tidied(const std::string& comment) {
   std::istringstream in(comment);
   std::string text;
-  bool is_record = false;
   for (std::string line; std::getline(in, line);) {
     line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
     line.erase(line.find_last_not_of(' ') + 1);
-    is_record = (is_record && !line.empty()) || line.starts_with("Record:");
-    if (!is_record) text += line + '\n';
+    text += line + '\n';
   }
   text.erase(text.find_last_not_of('\n') + 1);
   return text;
