@@ -40,7 +40,7 @@ struct AccessorWriter {
   void flag(std::uint32_t /*bit*/, bool /*is_set*/) const {}
 
  private:
-  static std::string row(facet::RecordPlace place) { return std::string(1, "abc"[place.row]); }
+  static std::string row(facet::RecordPlace place) { return {"abc"[place.row]}; }
   void write(const char* name, const std::string& value) const {
     out << "#define " << bsdf << '_' << snake_case(name) << "(b) ((b)." << value << ")\n";
   }

@@ -15,6 +15,8 @@ struct Word {
   Value value;
   const char* word;
 };
+template <typename Value>
+Word(Value, const char*) -> Word<Value>;
 
 inline constexpr std::array heuristic_words{Word{Heuristic::balance, "balance"},
                                             Word{Heuristic::power, "power"}};

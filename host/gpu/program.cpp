@@ -22,6 +22,7 @@ vk::DescriptorType descriptor_type(Access access) {
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device,
                                               const std::vector<Slot>& slots) {
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  bindings.reserve(slots.size());
   for (const Slot& slot : slots) {
     bindings.emplace_back(slot.binding, descriptor_type(slot.access), 1,
                           vk::ShaderStageFlagBits::eCompute);
@@ -39,6 +40,7 @@ vk::raii::PipelineLayout make_pipeline_layout(const vk::raii::Device& device,
 
 vk::raii::DescriptorPool make_pool(const vk::raii::Device& device, const std::vector<Slot>& slots) {
   std::vector<vk::DescriptorPoolSize> sizes;
+  sizes.reserve(slots.size());
   for (const Slot& slot : slots) sizes.emplace_back(descriptor_type(slot.access), 1);
   return {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                                1, sizes)};
@@ -81,7 +83,7 @@ Program::Program(const Device& device, const std::vector<Slot>& slots,
   const vk::raii::Device& handle = device.vulkan().device;
   auto set = make_set_layout(handle, slots);
   auto pipeline = make_pipeline_layout(handle, set, push_constant_bytes);
-  layout_.reset(new Layout{std::move(set), std::move(pipeline)});
+  layout_ = std::make_unique<Layout>(Layout{std::move(set), std::move(pipeline)});
 }
 
 Program::~Program() = default;
@@ -98,7 +100,7 @@ CompiledKernel Program::compile(std::span<const std::uint32_t> code,
                                                   "main");
     vk::raii::Pipeline pipeline(device, nullptr,
                                 vk::ComputePipelineCreateInfo({}, stage, *layout_->pipeline));
-    return CompiledKernel(std::unique_ptr<CompiledKernel::Handles>(new CompiledKernel::Handles{
+    return CompiledKernel(std::make_unique<CompiledKernel::Handles>(CompiledKernel::Handles{
         std::move(pipeline), *layout_->pipeline, gpu::instruction_count(special)}));
   } catch (const vk::SystemError& e) {
     throw DeviceError(
@@ -136,7 +138,7 @@ BoundBuffers Program::bind(const BufferMap& buffers) const {
     }
     device.updateDescriptorSets(write, {});
   }
-  return BoundBuffers(std::unique_ptr<BoundBuffers::Handles>(new BoundBuffers::Handles{
+  return BoundBuffers(std::make_unique<BoundBuffers::Handles>(BoundBuffers::Handles{
       std::move(pool), std::move(set), *layout_->pipeline, std::move(views)}));
 }
 

@@ -15,7 +15,7 @@ Stopwatch::Stopwatch(const Device& device, std::uint32_t most_marks) {
   const auto nanoseconds =
       static_cast<double>(vulkan.physical.getProperties().limits.timestampPeriod);
   seconds_per_tick_ = nanoseconds * 1e-9;
-  queries_.reset(new Queries{
+  queries_ = std::make_unique<Queries>(Queries{
       {vulkan.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)}});
 }
 

@@ -41,7 +41,7 @@ class Hash {
   template <typename... Types>
   void add(const std::variant<Types...>& any) {
     add(static_cast<int>(any.index()));
-    std::visit([this](const auto& item) { add(item); }, any);
+    std::visit([this](const auto& item) { this->add(item); }, any);
   }
 
   // Members are taken apart by name, so that one that is new cannot be forgotten: it does not

@@ -132,6 +132,7 @@ concept Rough = requires(T t) {
 template <typename T>
 std::vector<BsdfCase> expand(const std::vector<T>& variants) {
   std::vector<BsdfCase> cases;
+  cases.reserve(variants.size());
   for (const T& v : variants)
     cases.push_back({v, LobeSampling::visible, fmt::format("variant {}", cases.size())});
   return cases;

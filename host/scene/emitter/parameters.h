@@ -21,7 +21,7 @@ struct AreaParameters {
   void check(const PropertyReader& properties) const;
   /// Scale included; the factor on the texture where there is one.
   [[nodiscard]] Color scaled_radiance() const {
-    return Color(dvec3(radiance.is_textured() ? Color(1) : radiance.value) * scale);
+    return {dvec3(radiance.is_textured() ? Color(1) : radiance.value) * scale};
   }
 };
 
