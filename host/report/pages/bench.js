@@ -1,6 +1,9 @@
 const figureText = (f, scale = 1, digits = 2) => `${(f.median * scale).toFixed(digits)} (${
     (f.min * scale).toFixed(digits)} to ${(f.max * scale).toFixed(digits)})`;
 const figureCell = (f, scale, digits) => cell(f ? figureText(f, scale, digits) : '');
+// Of any size: three digits.
+const secondsText = (f) => `${short(f.median, 3)} (${short(f.min, 3)} to ${short(f.max, 3)})`;
+const secondsCell = (f) => cell(f ? secondsText(f) : '');
 const fixed = (v, digits) => cell(v === undefined ? '' : v.toFixed(digits));
 // Lines connect meshes of one kind in many sizes.
 const isGenerated = (row) => row.mesh.startsWith('generated-');
@@ -49,9 +52,9 @@ const trees = () => section(
         ],
         data.build.map(
             (r) =>
-                [r.mesh, cell(r.triangles), figureCell(r.facet_seconds, 1, 3),
+                [r.mesh, cell(r.triangles), secondsCell(r.facet_seconds),
                  fixed(r.facet_bytes / r.triangles, 1), fixed(r.facet_sah, 2),
-                 figureCell(r.embree_seconds, 1, 3),
+                 secondsCell(r.embree_seconds),
                  fixed(r.embree_bytes && r.embree_bytes / r.triangles, 1)])));
 
 /// A bar a scene, as long as its samples per second, parted by the stages' shares.
@@ -115,7 +118,7 @@ const growth = () => section(
     table(
         ['of', 'number', 'a frame, s'],
         data.growth.flatMap(
-            (g) => g.points.map((p) => [g.of, cell(p.number), figureCell(p.seconds, 1, 3)]))));
+            (g) => g.points.map((p) => [g.of, cell(p.number), secondsCell(p.seconds)]))));
 
 document.title = `facet bench: ${data.device}`;
 byId('device').textContent = data.device;
