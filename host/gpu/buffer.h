@@ -12,9 +12,9 @@ namespace facet::gpu {
 /// Memory for any use: bound in any way, copied, or read for indirect dispatches.
 class Buffer {
  public:
-  /// At least 64 bytes are allocated, in whole texels of 16 bytes, so that an unused buffer can be
-  /// bound. `what` names it in messages. Throws InputError where it does not fit into what is left
-  /// of the device's memory, DeviceError where the driver refuses it.
+  /// More than one record is allocated in any case, in whole texels, so that an unused buffer can
+  /// be bound. `what` names it in messages. Throws InputError where it does not fit into what is
+  /// left of the device's memory, DeviceError where the driver refuses it.
   Buffer(Device& device, std::uint64_t bytes, const std::string& what);
   ~Buffer();
   Buffer(Buffer&&) noexcept;

@@ -15,7 +15,6 @@ enum class BindingKind { scene, uniform, state, storage };
 struct BindingInfo {
   std::uint32_t number;
   BindingKind kind;
-  const char* name;
   std::size_t record_bytes;
 };
 
@@ -23,7 +22,7 @@ namespace detail {
 using namespace shared;  // where the list's records have their names
 inline constexpr std::array bindings{
 #define FACET_INFO(number, kind, names, name, Record) \
-  BindingInfo{number, BindingKind::kind, #names, sizeof(Record)},
+  BindingInfo{number, BindingKind::kind, sizeof(Record)},
     FACET_BINDING_LIST(FACET_INFO)
 #undef FACET_INFO
 };

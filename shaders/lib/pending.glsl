@@ -18,10 +18,13 @@ const uint EMPTY_LIST = 1u;
 
 /// M(1) to M(32): loops over the entries written out, since an index that is not constant makes an
 /// array of memory.
-#define FACET_ENTRIES(M)                                                                        \
-  M(1)                                                                                          \
-  M(2) M(3) M(4) M(5) M(6) M(7) M(8) M(9) M(10) M(11) M(12) M(13) M(14) M(15) M(16) M(17) M(18) \
-      M(19) M(20) M(21) M(22) M(23) M(24) M(25) M(26) M(27) M(28) M(29) M(30) M(31) M(32)
+// clang-format off
+#define FACET_ENTRIES(M) \
+  M(1) M(2) M(3) M(4) M(5) M(6) M(7) M(8) \
+  M(9) M(10) M(11) M(12) M(13) M(14) M(15) M(16) \
+  M(17) M(18) M(19) M(20) M(21) M(22) M(23) M(24) \
+  M(25) M(26) M(27) M(28) M(29) M(30) M(31) M(32)
+// clang-format on
 #define FACET_CLEAR(i) p.entries[i] = 0u;
 Pending nothing_pending() {
   Pending p;
@@ -60,12 +63,14 @@ uint child_place(uint header, uint child) {
 
 /// Puts an entry on top where `which`.
 void push(inout Pending p, bool which, uint entry) {
-  FACET_UP(31)
-  FACET_UP(30) FACET_UP(29) FACET_UP(28) FACET_UP(27) FACET_UP(26) FACET_UP(25) FACET_UP(24)
-      FACET_UP(23) FACET_UP(22) FACET_UP(21) FACET_UP(20) FACET_UP(19) FACET_UP(18) FACET_UP(17)
-          FACET_UP(16) FACET_UP(15) FACET_UP(14) FACET_UP(13) FACET_UP(12) FACET_UP(11) FACET_UP(10)
-              FACET_UP(9) FACET_UP(8) FACET_UP(7) FACET_UP(6) FACET_UP(5) FACET_UP(4) FACET_UP(3)
-                  FACET_UP(2) FACET_UP(1) p.entries[0] = which ? entry : p.entries[0];
+  // clang-format off
+  FACET_UP(31) FACET_UP(30) FACET_UP(29) FACET_UP(28) FACET_UP(27) FACET_UP(26) FACET_UP(25)
+  FACET_UP(24) FACET_UP(23) FACET_UP(22) FACET_UP(21) FACET_UP(20) FACET_UP(19) FACET_UP(18)
+  FACET_UP(17) FACET_UP(16) FACET_UP(15) FACET_UP(14) FACET_UP(13) FACET_UP(12) FACET_UP(11)
+  FACET_UP(10) FACET_UP(9) FACET_UP(8) FACET_UP(7) FACET_UP(6) FACET_UP(5) FACET_UP(4)
+  FACET_UP(3) FACET_UP(2) FACET_UP(1)
+      // clang-format on
+      p.entries[0] = which ? entry : p.entries[0];
 }
 
 /// Removes the top entry where `which`.

@@ -141,9 +141,9 @@ struct FrameRecord {
   vec4 camera_origin;  // world space; w: nearClip
   vec4 camera_corner;  // direction through the image's upper left corner, camera's z = 1, world
                        // space; w: farClip
-  vec4 camera_dx;  // change of that direction per pixel to the right
-  vec4 camera_dy;  // change per pixel downwards
-  uint width;      // of the whole image, pixels
+  vec4 camera_dx;      // change of that direction per pixel to the right
+  vec4 camera_dy;      // change per pixel downwards
+  uint width;          // of the whole image, pixels
   uint height;
   uint crop_x;
   uint crop_y;
@@ -159,9 +159,9 @@ struct FrameRecord {
   float filter_crossing;  // |offset| beyond which the filter is negative, pixels
   float filter_scale;     // integral of |f| over integral of f, along one axis
   float square_scale;     // power of two that values are multiplied by before they are squared:
-                       // squares stay in range
-  vec4 simple_position;  // of the `simple` integrator's light, world space
-  vec4 simple_energy;    // rgb: its energy over 4 pi^2
+                          // squares stay in range
+  vec4 simple_position;   // of the `simple` integrator's light, world space
+  vec4 simple_energy;     // rgb: its energy over 4 pi^2
 };
 
 struct RayRecord {

@@ -70,6 +70,12 @@ TEST_F(BenchCliTest, PageHoldsPlotsAndEveryFigureAndFetchesNothing) {
   const std::string file = folder_.read("page.html");
   for (const char* outside : {"https:", "src=", "href=", "url(", "{{"})
     EXPECT_EQ(file.find(outside), std::string::npos) << outside;
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  const std::size_t data = file.find("id=\"data\">") + 10;
+  const auto embedded =
+      nlohmann::json::parse(file.substr(data, file.find("</script>", data) - data));
+  for (const char* part : {"traversal", "build", "render"})
+    EXPECT_EQ(embedded[part], report[part]) << part;
   const std::string browser = find_browser();
   if (browser.empty()) GTEST_SKIP() << "no chromium to look at the page with";
   const std::string dom = dump_dom(browser, folder_.file("page.html"));
@@ -78,7 +84,6 @@ TEST_F(BenchCliTest, PageHoldsPlotsAndEveryFigureAndFetchesNothing) {
                       "Million diffuse rays a second", "Million shadow rays a second",
                       "Seconds to build the BVH", "Million samples a second", "generated-1k",
                       "generated-3k", "cbox_conductors_mis", "direct_mis", "first_bounce, %"});
-  const auto report = nlohmann::json::parse(folder_.read("report.json"));
   for (const auto& row : report["traversal"]) {
     const auto& f = row["facet"];
     const std::string figure =

@@ -33,7 +33,9 @@ std::vector<RoughConductor> variants(const RoughConductor& /*type*/) {
   RoughConductor exact_multiscatter = multiscatter;
   exact_multiscatter.options = exact_masking;
   RoughConductor metal;
-  metal.material = "Au";
+  const ConductorIor gold = find_metal("Au").value();
+  metal.eta = gold.eta;
+  metal.k = gold.k;
   return {schlick, exact, multiscatter, metal, exact_multiscatter};
 }
 std::vector<RoughSubstrate> variants(const RoughSubstrate& /*type*/) {

@@ -1,6 +1,7 @@
 #pragma once
 // The parameters and directions that every BSDF of the shared list is tested with. A new one is
-// tested with parameters that follow from their declaration; an overload of `variants` chooses others.
+// tested with parameters that follow from their declaration; an overload of `variants` chooses
+// others.
 #include <string>
 #include <vector>
 

@@ -10,9 +10,7 @@ struct Dielectric {
 
   template <typename Self, typename Visitor>
   static void declare(Self& p, Visitor& visit) {
-    using namespace parameter;
-    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
-    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+    declare_indices(p, visit);
   }
   [[nodiscard]] static std::uint32_t flags() { return shared::BSDF_DELTA | shared::BSDF_TRANSMITS; }
 };

@@ -16,8 +16,7 @@ struct Microfacet {
     using namespace parameter;
     visit("kd", p.kd, Reflectance{}, "albedo of the base; the coat has 1 - max(kd)");
     visit("alpha", p.alpha, Roughness{}, "roughness of the coat");
-    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
-    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+    declare_indices(p, visit);
     MicrofacetOptions::declare(p.options, visit);
   }
 };

@@ -32,4 +32,12 @@ struct MicrofacetOptions {
 inline constexpr float index_of_air = 1.000277F;
 inline constexpr float index_of_glass = 1.5046F;
 
+/// Declares both sides' indices of an interface.
+template <typename Self, typename Visitor>
+void declare_indices(Self& p, Visitor& visit) {
+  using parameter::RefractiveIndex;
+  visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
+  visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+}
+
 }  // namespace facet::bsdf

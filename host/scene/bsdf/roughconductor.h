@@ -16,8 +16,8 @@ struct RoughConductor {
   Textured<float> alpha{0.1F};
   MicrofacetOptions options{};
   bool multiscatter = false;
-  std::string material{};      ///< a metal's name
-  std::optional<Color> eta{};  ///< with k: given by numbers
+  std::string material{};      ///< the metal's name that eta and k come from; may be empty
+  std::optional<Color> eta{};  ///< with k: the complex index of refraction, instead of r0
   std::optional<Color> k{};
 
   template <typename Self, typename Visitor>
@@ -33,17 +33,16 @@ struct RoughConductor {
     MicrofacetOptions::declare(p.options, visit);
     visit("multiscatter", p.multiscatter, Switch{shared::BSDF_MULTISCATTER},
           "give back the light that is lost between microfacets (Turquin 2019)");
-    const ConductorIor index = p.ior().value_or(ConductorIor{});
-    visit.derived("eta", index.eta);
-    visit.derived("k", index.k);
+    visit.derived("eta", p.eta.value_or(Color(0)));
+    visit.derived("k", p.k.value_or(Color(0)));
   }
 
-  /// Throws InputError where R0, material, eta and k exclude or lack each other.
-  void check(const PropertyReader& properties) const;
+  /// Throws InputError where R0, material, eta and k exclude or lack each other. A material's eta
+  /// and k become the object's: they are averages over a spectrum, to be taken once.
+  void check(const PropertyReader& properties);
 
-  /// Of the metal, or by number: the exact Fresnel term instead of Schlick's. Nothing: R0.
+  /// The exact Fresnel term's, instead of Schlick's. Nothing: R0.
   [[nodiscard]] std::optional<ConductorIor> ior() const {
-    if (!material.empty()) return find_metal(material);
     if (!eta || !k) return std::nullopt;
     return ConductorIor{*eta, *k};
   }

@@ -17,8 +17,7 @@ struct RoughDielectric {
     visit("ka", p.ka, Reflectance{.also_called = "m_ka"},
           "tint of both lobes; `m_ka` is another name for it");
     visit("alpha", p.alpha, Roughness{}, "roughness");
-    visit("intIOR", p.int_ior, RefractiveIndex{}, "index of refraction below the surface");
-    visit("extIOR", p.ext_ior, RefractiveIndex{}, "index above");
+    declare_indices(p, visit);
     MicrofacetOptions::declare(p.options, visit);
   }
   /// Equal indices bend nothing, whatever the microfacet: light passes straight through.

@@ -119,7 +119,7 @@ class ParameterReader {
 };
 
 /// The parameters of an object whose plugin declares them in `Type`. Where parameters depend on
-/// each other, `Type::check(properties)` throws at what is wrong.
+/// each other, `Type::check(properties)` throws at what is wrong, and completes what follows.
 template <typename Type>
 [[nodiscard]] Type read_parameters(PropertyReader& properties, Type value = {}) {
   ParameterReader reader(properties);
