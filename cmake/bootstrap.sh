@@ -2,12 +2,14 @@
 # Everything from a fresh Debian 12 to an image, or to the test results:
 #     sh cmake/bootstrap.sh render [SCENE.xml [options of facet render]]
 #     sh cmake/bootstrap.sh test [options of ctest; without any, all tests but the slow ones]
-# Installs the Debian packages that are missing (apt, as root or through sudo), builds build/release, and runs. Works from any
-# folder: images are written to the folder it is called from. A second run takes seconds.
+# Installs the Debian packages that are missing (apt, as root or through sudo), builds build/release,
+# and runs. Works from any folder: images are written to the folder it is called from. A second run
+# takes seconds.
 set -eu
 
-packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools spirv-headers libglm-dev
-  libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
+packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools
+  spirv-headers libglm-dev libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev
+  libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
 test_packages="chromium" # looks at the pages that facet writes
 
 say() { echo "bootstrap: $*" >&2; }
@@ -30,8 +32,10 @@ missing_packages() {
 find_root() {
   as_root=
   [ "$(id -u)" = 0 ] && return
-  command -v sudo >/dev/null || fail "packages are missing, and there is neither root nor sudo; as root: apt-get install $missing"
-  sudo -n true 2>/dev/null || fail "packages are missing, and sudo wants a password; as root: apt-get install $missing"
+  command -v sudo >/dev/null || fail "packages are missing, and there is neither root nor sudo;" \
+    "as root: apt-get install $missing"
+  sudo -n true 2>/dev/null || fail "packages are missing, and sudo wants a password;" \
+    "as root: apt-get install $missing"
   as_root=sudo
 }
 
@@ -40,13 +44,15 @@ run_apt() {
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 </dev/null || {
     tail -n 20 "$log" >&2
     rm -f "$log"
-    fail "apt-get $1 failed (its last lines are above); is there a network, and does /etc/apt name a Debian mirror?"
+    fail "apt-get $1 failed (its last lines are above); is there a network," \
+      "and does /etc/apt name a Debian mirror?"
   }
 }
 
 install_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
-    fail "this is no Debian (no apt-get): install the equivalents of $* yourself; README.md says how to build without this script"
+    fail "this is no Debian (no apt-get): install the equivalents of $* yourself;" \
+      "README.md says how to build without this script"
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
   find_root
@@ -88,7 +94,8 @@ case $command in
     install_packages $packages $test_packages
     build all
     # Here, since tests download nothing.
-    sh "$root/cmake/second-driver.sh" --prepare >&2 || say "the test that compares two drivers will be skipped"
+    sh "$root/cmake/second-driver.sh" --prepare >&2 ||
+      say "the test that compares two drivers will be skipped"
     cd "$root/build/release"
     [ $# -gt 0 ] || set -- -LE slow
     # Tests wait for their driver half of the time.

@@ -1,11 +1,14 @@
 #!/bin/sh
-# Runs a command on a second Vulkan driver, lavapipe of the newer Mesa in Debian's backports, beside the system's:
+# Runs a command on a second Vulkan driver beside the system's, lavapipe of the newer Mesa in
+# Debian's backports:
 #     sh cmake/second-driver.sh COMMAND...      # fetches the driver if need be
 #     sh cmake/second-driver.sh --prepare       # only fetches it
 #     sh cmake/second-driver.sh --check         # says whether it is there; fetches nothing
-# The packages come through apt from the mirror it is configured with and are unpacked into $FACET_SECOND_DRIVER (default:
-# facet/second-driver in the user's cache folder). The system's packages stay as they are; root is not needed.
-# Exit codes: 77 where there is no second driver, with a line that says why; 2 wrong usage; else 0, or what COMMAND returns.
+# The packages come through apt from the mirror it is configured with and are unpacked into
+# $FACET_SECOND_DRIVER (default: facet/second-driver in the user's cache folder). The system's
+# packages stay as they are; root is not needed.
+# Exit codes: 77 where there is no second driver, with a line that says why; 2 wrong usage; else 0,
+# or what COMMAND returns.
 set -eu
 
 package=mesa-vulkan-drivers
@@ -18,7 +21,8 @@ none() {
 
 # The version of the system's own driver, 0 where there is none.
 system_version() {
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Version}' "$package" 2>/dev/null) || installed=
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Version}' "$package" 2>/dev/null) ||
+    installed=
   case $installed in "installed "*) echo "${installed#installed }" ;; *) echo 0 ;; esac
 }
 
@@ -33,11 +37,14 @@ is_whole() { (cd "$driver" && sha256sum --strict --check sums) >/dev/null 2>&1; 
 # Mirrors of this release that apt is configured with, in either format of its sources.
 mirrors() {
   # shellcheck disable=SC2016
-  apt-get --no-release-info indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
-    awk -v codename="$codename" '($1 == codename || $1 ~ /^(old)*stable$/) && $2 == "main" && !seen[$3]++ { print $3 }'
+  apt-get --no-release-info indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' \
+    'Created-By: Packages' |
+    awk -v codename="$codename" '
+      ($1 == codename || $1 ~ /^(old)*stable$/) && $2 == "main" && !seen[$3]++ { print $3 }'
 }
 
-# apt's settings beyond the system's: lists and archives of our own, no sources but $part/sources, nothing that needs root.
+# apt's settings beyond the system's: lists and archives of our own, no sources but $part/sources,
+# nothing that needs root.
 write_apt_settings() {
   mkdir -p "$part/lists/partial" "$part/cache/archives/partial"
   cat >"$part/apt.conf" <<END
@@ -67,26 +74,30 @@ update_lists() {
   options=
   if [ -f "$keyring" ]; then options="[signed-by=$keyring] "; fi
   for mirror in $(mirrors); do
-    printf 'deb %s%s %s main\n' "$options" "$mirror" "$codename" "$options" "$mirror" "$codename-backports" >"$part/sources"
+    printf 'deb %s%s %s main\n' "$options" "$mirror" "$codename" \
+      "$options" "$mirror" "$codename-backports" >"$part/sources"
     if own_apt_get update --error-on=any; then return; fi
     say "$(complaint)"
   done
-  none "no mirror that apt is configured with gave the lists of $codename-backports: is there a network, and are there backports?"
+  none "no mirror that apt is configured with gave the lists of $codename-backports:" \
+    "is there a network, and are there backports?"
 }
 
 # Downloads the package and those of its dependencies that this system lacks or has too old.
 download() {
   write_apt_settings
   update_lists
-  version=$(apt-cache -c "$part/apt.conf" policy "$package" | awk '$1 == "Candidate:" && $2 != "(none)" { print $2 }')
+  version=$(apt-cache -c "$part/apt.conf" policy "$package" |
+    awk '$1 == "Candidate:" && $2 != "(none)" { print $2 }')
   [ -n "$version" ] || none "$codename-backports has no $package"
   require_newer "$version"
   say "downloading $package $version"
-  own_apt_get install --download-only --no-install-recommends "$package" || none "cannot download $package $version: $(complaint)"
+  own_apt_get install --download-only --no-install-recommends "$package" ||
+    none "cannot download $package $version: $(complaint)"
 }
 
-# Turns the downloaded packages into the folder $part/driver: lavapipe and those of its libraries that came along, the ICD file,
-# the version, and the checksums of all.
+# Turns the downloaded packages into the folder $part/driver: lavapipe and those of its libraries
+# that came along, the ICD file, the version, and the checksums of all.
 unpack() {
   mkdir "$part/root" "$part/driver"
   for archive in "$part"/cache/archives/*.deb; do dpkg-deb -x "$archive" "$part/root"; done
@@ -96,16 +107,21 @@ unpack() {
   LD_LIBRARY_PATH=. ldd ./libvulkan_lvp.so >"$part/libraries"
   missing=$(awk '/not found/ { print $1 }' "$part/libraries" | tr '\n' ' ')
   [ -z "$missing" ] || none "$package $version needs what this system lacks: $missing"
-  for library in libvulkan_lvp.so $(awk '$3 ~ /^\.\// { print $1 }' "$part/libraries"); do cp "$library" "$part/driver"; done
+  for library in libvulkan_lvp.so $(awk '$3 ~ /^\.\// { print $1 }' "$part/libraries"); do
+    cp "$library" "$part/driver"
+  done
   cd "$part/driver"
-  echo '{"file_format_version": "1.0.0", "ICD": {"library_path": "./libvulkan_lvp.so", "api_version": "1.3.0"}}' >icd.json
+  cat >icd.json <<END
+{"file_format_version": "1.0.0",
+ "ICD": {"library_path": "./libvulkan_lvp.so", "api_version": "1.3.0"}}
+END
   echo "$version" >version
   sha256sum -- * >../sums
   mv ../sums .
 }
 
-# Fetches the driver unless another call has done so meanwhile. Nothing counts before the last line: an interrupted call leaves
-# no driver, and the next one begins anew.
+# Fetches the driver unless another call has done so meanwhile. Nothing counts before the last line:
+# an interrupted call leaves no driver, and the next one begins anew.
 fetch() {
   if is_whole; then return; fi
   rm -rf "$part"
@@ -137,7 +153,8 @@ case ${1:-} in
     ;;
 esac
 for tool in apt-get dpkg dpkg-deb flock sha256sum ldd; do
-  command -v "$tool" >/dev/null || none "$tool is missing: only Debian's backports are known as a source"
+  command -v "$tool" >/dev/null ||
+    none "$tool is missing: only Debian's backports are known as a source"
 done
 # shellcheck source=/dev/null
 codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")

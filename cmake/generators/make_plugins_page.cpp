@@ -45,9 +45,10 @@ std::string page(const std::filesystem::path& pictures) {
   std::map<std::string_view, std::string> kinds;
   for (const facet::Manual& m : facet::manuals()) kinds[m.kind] += section(m, pictures);
   std::string text =
-      "# Plugins of the scene language\n\nThis page is made from the comments at the heads of the "
-      "plugins' files and the declarations of their parameters: change those, then `ninja "
-      "plugins_page`. `facet info --plugins NAME` prints the same.\n";
+      "# Plugins of the scene language\n\n"
+      "This page is made from the comments at the heads of the plugins' files and the\n"
+      "declarations of their parameters: change those, then `ninja plugins_page`. `facet info\n"
+      "--plugins NAME` prints the same.\n";
   for (const auto& [kind, sections] : kinds)
     text.append("\n## ").append(kind).append("\n").append(sections);
   return text;

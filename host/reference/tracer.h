@@ -2,22 +2,17 @@
 // One sample from the camera to its radiance, by every integrator (docs/sampling.md).
 #include <optional>
 
-#include "reference/watched_intersect.h"
+#include "reference/scene_rays.h"
 #include "reference/world.h"
 
 namespace facet::reference {
-
-struct RayCounts {
-  std::uint64_t closest = 0;
-  std::uint64_t any = 0;
-};
 
 /// Follows one sample of a scene. Real: the precision. Probe: what watches.
 template <typename Real, typename Probe>
 class Tracer {
  public:
   Tracer(const World<Real>& world, const SampleId& id, Probe& probe)
-      : world_(world), integrator_(world.integrator), id_(id), probe_(probe) {}
+      : world_(world), integrator_(world.integrator), id_(id), probe_(probe), rays_(world, probe) {}
 
   /// Radiance in W sr^-1 m^-2 (or what the integrator shows) along the sample's ray through pixel
   /// (x, y).
@@ -38,7 +33,7 @@ class Tracer {
     }
   }
 
-  [[nodiscard]] const RayCounts& counts() const { return counts_; }
+  [[nodiscard]] const RayCounts& counts() const { return rays_.counts(); }
 
  private:
   enum Kernel {
@@ -64,62 +59,20 @@ class Tracer {
     Real eta2 = 1;  ///< product of (eta_i/eta_o)^2 of all refractions
   };
 
-  [[nodiscard]] Hit<Real> closest(const Ray<Real>& ray) {
-    ++counts_.closest;
-    Hit<Real> hit;
-    if constexpr (Probe::watches) {
-      hit = closest_hit(world_.geometry, ray, probe_);
-      if (hit.triangle != none) nudge(hit);
-    } else {
-      hit = closest_hit(world_.geometry, ray);
-    }
-    probe_.found(hit.triangle);
-    return hit;
-  }
-
-  /// Moves a hit by an ulp of the way to it, which is what its test has rounded, but at least by
-  /// one of the weights.
-  void nudge(Hit<Real>& hit) {
-    const auto& v = world_.geometry.triangles[hit.triangle].vertices;
-    const Real edge =
-        std::min({glm::length(v[1] - v[0]), glm::length(v[2] - v[1]), glm::length(v[0] - v[2])});
-    const Real ulps = std::max(Real(1), hit.t / edge);
-    hit.b1 += (probe_.nudged(Real(1)) - 1) * ulps;
-    hit.b2 += (probe_.nudged(Real(1)) - 1) * ulps;
-  }
-
-  [[nodiscard]] bool occluded(const Ray<Real>& ray) {
-    ++counts_.any;
-    bool found = false;
-    if constexpr (Probe::watches) {
-      found = any_hit(world_.geometry, ray, probe_);
-    } else {
-      found = any_hit(world_.geometry, ray);
-    }
-    probe_.found(found ? 1 : 0);
-    return found;
-  }
-
-  [[nodiscard]] Surface<Real> surface_of(const Hit<Real>& hit) {
-    probe_.uses(Part::mesh, world_.geometry.triangles[hit.triangle].mesh);
-    return surface_at(world_.scene, world_.geometry.triangles[hit.triangle], hit.b1, hit.b2,
-                      probe_);
-  }
-
   [[nodiscard]] Vec3<Real> normals(const Ray<Real>& ray) {
-    const Hit<Real> hit = closest(ray);
-    return hit.triangle == none ? Vec3<Real>(0) : glm::abs(surface_of(hit).ns);
+    const Hit<Real> hit = rays_.closest(ray);
+    return hit.triangle == none ? Vec3<Real>(0) : glm::abs(rays_.surface_of(hit).ns);
   }
 
   [[nodiscard]] Vec3<Real> depth(const Ray<Real>& ray) {
-    const Hit<Real> hit = closest(ray);
+    const Hit<Real> hit = rays_.closest(ray);
     return Vec3<Real>(hit.triangle == none ? Real(0) : hit.t);
   }
 
   [[nodiscard]] Vec3<Real> ambient_occlusion(const Ray<Real>& ray) {
-    const Hit<Real> hit = closest(ray);
+    const Hit<Real> hit = rays_.closest(ray);
     if (hit.triangle == none) return Vec3<Real>(0);
-    Surface<Real> s = surface_of(hit);
+    Surface<Real> s = rays_.surface_of(hit);
     const Real cosine = glm::dot(s.ns, ray.direction);
     // Both sides see the sky.
     if (!probe_.negative(DecisionKind::horizon, cosine)) s.ns = -s.ns;
@@ -128,13 +81,13 @@ class Tracer {
         cosine_direction(block.number<Real>(shared::BSDF_U), block.number<Real>(shared::BSDF_V));
     const Vec3<Real> d = probe_.nudged(s.frame(probe_).to_world(local));
     probe_.at_ray(1);
-    return Vec3<Real>(occluded({s.origin_towards(d, 0, probe_), d}) ? 0 : 1);
+    return Vec3<Real>(rays_.occluded({s.origin_towards(d, 0, probe_), d}) ? 0 : 1);
   }
 
   [[nodiscard]] Vec3<Real> simple(const Ray<Real>& ray) {
-    const Hit<Real> hit = closest(ray);
+    const Hit<Real> hit = rays_.closest(ray);
     if (hit.triangle == none) return Vec3<Real>(0);
-    const Surface<Real> s = surface_of(hit);
+    const Surface<Real> s = rays_.surface_of(hit);
     const Vec3<Real> position(integrator_.position);
     const Vec3<Real> way = position - s.position;
     const Vec3<Real> w = probe_.nudged(unit(way));
@@ -142,7 +95,7 @@ class Tracer {
     if (!probe_.positive(DecisionKind::horizon, cosine)) return Vec3<Real>(0);
     probe_.at_ray(1);
     const Vec3<Real> origin = s.origin_towards(w, 0, probe_);
-    if (occluded({origin, probe_.nudged(position - origin), 0, 1})) return Vec3<Real>(0);
+    if (rays_.occluded({origin, probe_.nudged(position - origin), 0, 1})) return Vec3<Real>(0);
     return Vec3<Real>(integrator_.energy) / (4 * pi<Real> * pi<Real>)*(cosine / glm::dot(way, way));
   }
 
@@ -168,7 +121,7 @@ class Tracer {
       shadow.direction = probe_.nudged(e.end - shadow.origin);
       shadow.t_max = 1;
     }
-    if (occluded(shadow)) {
+    if (rays_.occluded(shadow)) {
       probe_.uses(Part::blocked_shadow_ray, 0);
       return Vec3<Real>(0);
     }
@@ -246,11 +199,11 @@ class Tracer {
     for (std::uint32_t k = 1;; ++k) {
       probe_.at_ray(2 * (k - 1));
       const Vec3<Real>& d = path.ray.direction;
-      const Hit<Real> hit = closest(path.ray);
+      const Hit<Real> hit = rays_.closest(path.ray);
       if (hit.triangle == none)
         return radiance +
                path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
-      const Surface<Real> s = surface_of(hit);
+      const Surface<Real> s = rays_.surface_of(hit);
       radiance += path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
       if (k > last) return radiance;
       const std::optional<Interaction> at = interaction(s, d);
@@ -297,7 +250,7 @@ class Tracer {
   const Integrator& integrator_;
   SampleId id_;
   Probe& probe_;
-  RayCounts counts_;
+  SceneRays<Real, Probe> rays_;
 };
 
 }  // namespace facet::reference

@@ -1,6 +1,6 @@
-# Compiles shaders/kernels/*.comp to SPIR-V, twice where they fetch geometry (from texel and from storage
-# buffers), decorates and checks them, and makes the source file that embeds them. Depfiles make every
-# #include count.
+# Compiles shaders/kernels/*.comp to SPIR-V, twice where they fetch geometry (from texel and from
+# storage buffers), decorates and checks them, and makes the source file that embeds them. Depfiles
+# make every #include count.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
@@ -20,7 +20,8 @@ macro(facet_kernel kernel fetch)
   add_custom_command(
     OUTPUT ${raw}
     COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${ARGN}
-            -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_BINARY_DIR}/generated --depfile ${raw}.d -o ${raw} ${source}
+            -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_BINARY_DIR}/generated
+            --depfile ${raw}.d -o ${raw} ${source}
     DEPENDS ${source} ${FACET_BSDF_PARAMETERS} ${FACET_RECORD_READS}
     DEPFILE ${raw}.d
     COMMENT "Compiling kernel ${name}"

@@ -35,7 +35,7 @@ const contrast = (selector) => {
 };
 
 results.title = document.title;
-results.heading = document.querySelector('h1').textContent;
+results.heading = document.querySelector('h1').innerText;
 results.sizes =
     ['canvas-a', 'canvas-b', 'canvas-map'].map((id) => [byId(id).width, byId(id).height]);
 results.a = [colour('canvas-a', 0, 0), colour('canvas-a', 1, 0), colour('canvas-a', 3, 2)];

@@ -159,8 +159,7 @@ TEST_F(FaultsCliTest, NoInputIsWritten) {
 }
 
 TEST_F(FaultsCliTest, OptionsRescueScenesOfUnknownIntegratorsAndSamplers) {
-  folder_.write("unknown.xml", R"(<scene>
-<camera type="perspective"><integer name="width" value="16"/><integer name="height" value="16"/><transform name="toWorld"><lookat origin="0.1 0.8 -4" target="0 0.4 0" up="0 1 0"/></transform></camera>
+  folder_.write("unknown.xml", "<scene>\n" + camera() + R"(
 <sampler type="halton"><integer name="sampleCount" value="4"/></sampler>
 <integrator type="photonmapper"><integer name="photonCount" value="1000"/></integrator>
 )" + floor() + light() + "</scene>");

@@ -12,9 +12,7 @@ using Names = std::vector<std::string>;
 class MergeCliTest : public CliTest {
  protected:
   static std::string with_filter(const std::string& filter) {
-    return R"(<scene><camera type="perspective"><integer name="width" value="16"/><integer name="height" value="16"/>
-<transform name="toWorld"><lookat origin="0.1 0.8 -4" target="0 0.4 0" up="0 1 0"/></transform>)" +
-           filter + "</camera>\n<integrator type=\"path_mis\"/>\n" +
+    return "<scene>" + camera(filter) + "\n<integrator type=\"path_mis\"/>\n" +
            mesh("floor.obj",
                 "<bsdf type=\"roughconductor\"><float name=\"alpha\" value=\"0.3\"/></bsdf>") +
            light() + "</scene>\n";

@@ -37,10 +37,17 @@ class CliTest : public ::testing::Test {
            "</mesh>\n";
   }
 
+  /// On the floor, in one line; `children` are its other ones, as its filter.
+  static std::string camera(const std::string& children = {}) {
+    return R"(<camera type="perspective"><integer name="width" value="16"/>)"
+           R"(<integer name="height" value="16"/><transform name="toWorld">)"
+           R"(<lookat origin="0.1 0.8 -4" target="0 0.4 0" up="0 1 0"/></transform>)" +
+           children + "</camera>";
+  }
+
   /// A scene with camera, sampler and integrator on lines 2 to 4; the content begins on line 5.
   std::filesystem::path write_scene(const std::string& name, const std::string& content) const {
-    return folder_.write(name, R"(<scene>
-<camera type="perspective"><integer name="width" value="16"/><integer name="height" value="16"/><transform name="toWorld"><lookat origin="0.1 0.8 -4" target="0 0.4 0" up="0 1 0"/></transform></camera>
+    return folder_.write(name, "<scene>\n" + camera() + R"(
 <sampler type="independent"><integer name="sampleCount" value="4"/></sampler>
 <integrator type="direct_mis"/>
 )" + content + "</scene>\n");

@@ -1,6 +1,6 @@
 # cmake -DSOURCE=... -DWORK=... -P check.cmake
-# Does what CONTRIBUTING.md says of adding a BSDF, in a copy of the tree, and asks for it in the program and
-# in the tests.
+# Does what CONTRIBUTING.md says of adding a BSDF, in a copy of the tree, and asks for it in the
+# program and in the tests.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/tree)
 foreach(part CMakeLists.txt CMakePresets.json cmake docs examples host include scenes shaders tests)

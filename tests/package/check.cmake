@@ -1,6 +1,6 @@
 # cmake -DHOW=installed|subdirectory|configured -DSOURCE=... -DBINARY=... -DWORK=... -P check.cmake
-# Builds the examples in a project of their own, against an installed facet or against its sources, and runs
-# one. "configured" only configures against the sources.
+# Builds the examples in a project of their own, against an installed facet or against its sources,
+# and runs one. "configured" only configures against the sources.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 

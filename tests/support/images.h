@@ -22,4 +22,12 @@ namespace facet::test {
   return image;
 }
 
+/// The largest value of the first channel, 0 at least.
+inline float largest(const Image& image) {
+  float most = 0;
+  for (int i = 0; i < image.width() * image.height(); ++i)
+    most = std::max(most, image.at(i % image.width(), i / image.width(), 0));
+  return most;
+}
+
 }  // namespace facet::test

@@ -48,7 +48,8 @@ TEST(SceneMaker, says_what_a_file_would) {
   folder.write("floor.obj", "v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\nf 1 2 3\nf 1 3 4\n");
   const std::filesystem::path file = folder.write("scene.xml", R"(<scene>
 <integrator type="path_mis"/>
-<sampler type="independent"><integer name="sampleCount" value="4"/><integer name="seed" value="3"/></sampler>
+<sampler type="independent"><integer name="sampleCount" value="4"/>
+<integer name="seed" value="3"/></sampler>
 <camera type="perspective"><integer name="width" value="8"/><integer name="height" value="6"/>
 <float name="fov" value="20"/><rfilter type="box"/>
 <transform name="toWorld"><lookat origin="0 3 0" target="0 0 0" up="0 0 1"/></transform></camera>
