@@ -27,7 +27,7 @@ struct Shear {
     y = d[ky] / d[kz];
   }
 
-  [[nodiscard]] Vec2<Real> apply(const Vec3<Real>& v) const {
+  [[gnu::always_inline, nodiscard]] Vec2<Real> apply(const Vec3<Real>& v) const {
     return {v[kx] - x * v[kz], v[ky] - y * v[kz]};
   }
 };
@@ -72,7 +72,8 @@ template <typename Real>
   return hit;
 }
 
-/// The ray against boxes. grown: boxes count as larger by this share of their size, distances as
+/// The ray against boxes; inlined whatever else is in the unit, since traversal is little else.
+/// grown: boxes count as larger by this share of their size, distances as
 /// uncertain by the same share; rounding alone needs 16 ulps of the distances.
 template <typename Real>
 class BoxTest {
@@ -87,7 +88,8 @@ class BoxTest {
   }
 
   /// Whether the ray is in the box somewhere in [t_min, t_max]; near: where it enters.
-  [[nodiscard]] bool meets(const Box& box, Real t_min, Real t_max, Real& near) const {
+  [[gnu::always_inline, nodiscard]] bool meets(const Box& box, Real t_min, Real t_max,
+                                               Real& near) const {
     near = t_min;
     Real far = t_max;
     for (int i = 0; i < 3; ++i) {
