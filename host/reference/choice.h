@@ -8,6 +8,33 @@
 
 namespace facet::reference {
 
+/// What a choice leaves of the x-th of n words, a word again; `fill` stands behind x. x < n.
+[[nodiscard]] inline std::uint32_t remainder_of(std::uint64_t x, std::uint64_t n,
+                                                std::uint32_t fill) {
+  return static_cast<std::uint32_t>(((x << 32U) + fill) / n);
+}
+
+/// A choice between two.
+class TwoWayChoice {
+ public:
+  /// p: of the first, in [0, 1].
+  explicit TwoWayChoice(double p) : words_(static_cast<std::uint64_t>(std::ldexp(p, 32))) {}
+
+  /// Of the first, in whole words.
+  [[nodiscard]] double probability() const { return std::ldexp(static_cast<double>(words_), -32); }
+
+  /// What is left of a word that has made the choice, be it that rounding had a say in it.
+  [[nodiscard]] std::uint32_t remainder(bool first, std::uint32_t word, std::uint32_t fill) const {
+    constexpr std::uint64_t all = 1ULL << 32U;
+    if (words_ == 0 || words_ >= all) return word;
+    if (first) return remainder_of(std::min<std::uint64_t>(word, words_ - 1), words_, fill);
+    return remainder_of(std::max<std::uint64_t>(word, words_) - words_, all - words_, fill);
+  }
+
+ private:
+  std::uint64_t words_;
+};
+
 class Choice {
  public:
   Choice() = default;
@@ -31,17 +58,19 @@ class Choice {
     }
   }
 
-  /// The entry that a word falls to, and how far into it, in [0, 1).
+  /// The entry that a word falls to, and what is left of the word.
   struct Outcome {
     std::size_t entry = 0;
-    double fraction = 0;
+    std::uint32_t remainder = 0;
   };
-  [[nodiscard]] Outcome choose(std::uint32_t word) const {
+  [[nodiscard]] Outcome choose(std::uint32_t word, std::uint32_t fill) const {
     if (ends_.empty()) return {};
     word = std::min(word, 0xfffffffeU);
     const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, word);
     const auto entry = static_cast<std::size_t>(end - ends_.begin());
-    return {entry, static_cast<double>(word - begin_of(entry)) / std::max(1.0, width(entry))};
+    if (width(entry) == 0) return {entry};
+    if (width(entry) == words) return {entry, word};
+    return {entry, remainder_of(word - begin_of(entry), ends_[entry] - begin_of(entry), fill)};
   }
 
   [[nodiscard]] double probability(std::size_t entry) const { return width(entry) / words; }

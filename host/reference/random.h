@@ -16,6 +16,12 @@ struct SampleId {
   Sampler sampler = Sampler::independent;
 };
 
+/// A word as a number in [0, 1 - 2^-24].
+template <typename Real>
+[[nodiscard]] Real number_of(std::uint32_t word) {
+  return static_cast<Real>(word >> 8U) / Real(16777216);
+}
+
 /// Four words, one for each component of a block of dimensions.
 struct Block {
   shared::uvec4 words;
@@ -26,7 +32,7 @@ struct Block {
   /// A component as a number in [0, 1 - 2^-24].
   template <typename Real>
   [[nodiscard]] Real number(std::uint32_t component) const {
-    return static_cast<Real>(word(component) >> 8U) / Real(16777216);
+    return number_of<Real>(word(component));
   }
 };
 

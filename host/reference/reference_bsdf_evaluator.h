@@ -30,23 +30,25 @@ class ReferenceBsdfEvaluator : public statistics::BsdfEvaluator {
       const vec3& wo, std::span<const statistics::BsdfNumbers> numbers) override {
     return draw_all(wo, numbers.size(), [&](std::size_t i) {
       const statistics::BsdfNumbers& n = numbers[i];
-      return BsdfNumbers<Real>{n.lobe, n.u, n.v};
+      return BsdfNumbers(word_of(n.lobe), word_of(n.u), word_of(n.v));
     });
   }
 
   [[nodiscard]] std::vector<statistics::BsdfDraw> sample(const vec3& wo, std::uint32_t count,
                                                          std::uint32_t seed) override {
     return draw_all(wo, count, [&](std::size_t i) {
-      const Block block =
-          bounce_block({0, static_cast<std::uint32_t>(i), seed}, 1, shared::BOUNCE_BSDF);
-      return BsdfNumbers<Real>{block.number<Real>(shared::BSDF_LOBE),
-                               block.number<Real>(shared::BSDF_U),
-                               block.number<Real>(shared::BSDF_V)};
+      return BsdfNumbers(
+          bounce_block({0, static_cast<std::uint32_t>(i), seed}, 1, shared::BOUNCE_BSDF));
     });
   }
 
  private:
   static constexpr std::size_t grain = 1U << 14U;
+
+  /// Of a multiple of 2^-24.
+  static std::uint32_t word_of(float number) {
+    return static_cast<std::uint32_t>(number * 0x1p24F) << 8U;
+  }
 
   /// The BSDF seen from wo's side.
   AnyBsdf<Real> seen_from(const Vec3<Real>& wo) const {

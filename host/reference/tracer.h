@@ -145,7 +145,8 @@ class Tracer {
     for (std::size_t e = 0; e < count; ++e) {
       probe_.at_ray(2 * k - 1, e);
       const Block block = emitter_block(id_, k, e, count);
-      radiance += throughput * light_of(world_.sample_emitter(e, at.surface, block, probe_), at);
+      radiance += throughput *
+                  light_of(world_.sample_emitter(e, at.surface, EmitterNumbers(block), probe_), at);
     }
   }
 
@@ -231,9 +232,7 @@ class Tracer {
   /// The ray that continues the path from interaction k.
   [[nodiscard]] bool scatter(const Interaction& at, std::uint32_t k, Path& path) {
     const Block block = bounce_block(id_, k, shared::BOUNCE_BSDF);
-    const BsdfNumbers<Real> numbers{block.number<Real>(shared::BSDF_LOBE),
-                                    block.number<Real>(shared::BSDF_U),
-                                    block.number<Real>(shared::BSDF_V)};
+    const BsdfNumbers numbers(block);
     probe_.uses(Part::bsdf_sample, at.bsdf.type());
     const BsdfSample<Real> sample = at.bsdf.sample(at.wo, numbers, probe_);
     path.throughput *= sample.weight;

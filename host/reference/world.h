@@ -51,10 +51,12 @@ class World {
   template <typename Probe>
   [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from, const Block& block,
                                                    Probe& probe) const {
-    const std::size_t chosen = choice_.choose(block.word(shared::EMITTER_CHOICE)).entry;
+    EmitterNumbers numbers(block);
+    const auto [chosen, remainder] = choice_.choose(numbers.u, numbers.first_fill);
     // Where no emitter has power, none is sampled.
     if (!(choice_.probability(chosen) > 0)) return {};
-    EmitterSample<Real> s = sample_emitter(chosen, from, block, probe);
+    numbers.u = remainder;
+    EmitterSample<Real> s = sample_emitter(chosen, from, numbers, probe);
     s.pdf *= static_cast<Real>(choice_.probability(chosen));
     return s;
   }
@@ -62,9 +64,10 @@ class World {
   /// A direction from a surface towards emitter e.
   template <typename Probe>
   [[nodiscard]] EmitterSample<Real> sample_emitter(std::size_t e, const Surface<Real>& from,
-                                                   const Block& block, Probe& probe) const {
-    EmitterSample<Real> s =
-        std::visit([&](const auto& light) { return light.sample(from, block, probe); }, lights_[e]);
+                                                   const EmitterNumbers& numbers,
+                                                   Probe& probe) const {
+    EmitterSample<Real> s = std::visit(
+        [&](const auto& light) { return light.sample(from, numbers, probe); }, lights_[e]);
     s.emitter = e;
     return s;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/pack/bsdf_record.h"
+#include "render/pack/emitter_pieces.h"
 #include "shared/emitter_list.h"
 
 namespace facet {
@@ -33,6 +34,11 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
   }
 }
 
+void add_pieces(Features& f, const Mesh& mesh) {
+  for (const EmitterPiece& piece : emitter_pieces(mesh))
+    f.emitter_pieces |= piece.corner == shared::NO_CORNER ? 1U : 2U;
+}
+
 }  // namespace
 
 Features find_features(const Scene& scene, const RenderSettings& settings) {
@@ -43,7 +49,12 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
     const auto* bitmap = std::get_if<BitmapTexture>(&texture);
     if (bitmap != nullptr && !bitmap->colors.empty()) f.texture_kinds |= 4U;
   }
-  for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
+  for (const Emitter& emitter : scene.emitters) {
+    f.emitter_mask |= 1U << emitter.index();
+    if (const auto* area = std::get_if<AreaEmitter>(&emitter))
+      add_pieces(f, scene.meshes[area->mesh]);
+  }
+  f.several_emitters = scene.emitters.size() > 1;
   f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });
   f.integrator = settings.integrator;
@@ -63,6 +74,8 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_STACK_SIZE] = stack_size;
   c[shared::SPEC_BSDF_MASK] = bsdf_mask;
   c[shared::SPEC_EMITTER_MASK] = emitter_mask;
+  c[shared::SPEC_SEVERAL_EMITTERS] = several_emitters ? 1 : 0;
+  c[shared::SPEC_EMITTER_PIECES] = emitter_pieces;
   c[shared::SPEC_SHADING_NORMALS] = shading_normals ? 1 : 0;
   c[shared::SPEC_INTEGRATOR] = static_cast<std::uint32_t>(integrator.type.kernel);
   c[shared::SPEC_EMITTER_SAMPLING] = integrator.type.emitter_sampling ? 1 : 0;
@@ -124,7 +137,8 @@ Features Features::with_everything() const {
   Features f = *this;
   f.bsdf_mask = f.emitter_mask = f.bsdf_flags_some = f.texture_kinds = ~0U;
   f.bsdf_flags_all = 0;
-  f.rough_bsdfs = f.shading_normals = f.negative_filter = true;
+  f.rough_bsdfs = f.shading_normals = f.negative_filter = f.several_emitters = true;
+  f.emitter_pieces = 3;
   return f;
 }
 

@@ -18,6 +18,8 @@ struct Features {
   std::uint32_t texture_kinds = 0;    ///< bit 0: checker, bit 1: textmap, bit 2: textmap of floats
   bool rough_bsdfs = false;           ///< some BSDF has microfacets
   bool shading_normals = false;
+  bool several_emitters = false;
+  std::uint32_t emitter_pieces = 0;  ///< bit 0: single triangles, bit 1: two as one
   bool roulette = false;
   bool variance = false;
   bool negative_filter = false;  ///< the reconstruction filter is negative in parts

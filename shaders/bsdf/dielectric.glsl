@@ -10,11 +10,12 @@ vec3 dielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) { return vec3(0.0); }
 
 float dielectric_pdf(BsdfRecord b, vec3 wo, vec3 wi) { return 0.0; }
 
-BsdfSample dielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample dielectric_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   bool below = wo.z < 0.0;
   float eta_o = below ? dielectric_int_ior(b) : dielectric_ext_ior(b);
   float eta_i = below ? dielectric_ext_ior(b) : dielectric_int_ior(b);
-  bool reflects = lobe < fresnel_dielectric(wo.z, dielectric_ext_ior(b), dielectric_int_ior(b));
+  bool reflects =
+      choose_first_lobe(n, fresnel_dielectric(wo.z, dielectric_ext_ior(b), dielectric_int_ior(b)));
   float e = eta_o / eta_i;
   float cos_t = sqrt(max(1.0 - e * e * (wo.x * wo.x + wo.y * wo.y), 0.0));
   BsdfSample s = bsdf_sample_none();

@@ -34,9 +34,9 @@ float fresnelblend_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
                     fresnelblend_coat_probability(b, wo));
 }
 
-BsdfSample fresnelblend_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample fresnelblend_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   Microfacets m = microfacets_of(b);
   float p = fresnelblend_coat_probability(b, wo);
-  CoatedDirection d = coated_sample(wo, m, p, lobe, u);
+  CoatedDirection d = coated_sample(wo, m, p, n);
   return coated_result(d, wo, m, p, fresnelblend_value(b, wo, d.wi, d.h, d.cos_h));
 }

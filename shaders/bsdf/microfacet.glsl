@@ -36,9 +36,9 @@ float microfacet_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
                     microfacet_coat_probability(b, wo));
 }
 
-BsdfSample microfacet_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample microfacet_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   Microfacets m = microfacets_of(b);
   float p = microfacet_coat_probability(b, wo);
-  CoatedDirection d = coated_sample(wo, m, p, lobe, u);
+  CoatedDirection d = coated_sample(wo, m, p, n);
   return coated_result(d, wo, m, p, microfacet_value(b, wo, d.wi, d.h, d.cos_h));
 }

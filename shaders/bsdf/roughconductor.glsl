@@ -33,9 +33,9 @@ float roughconductor_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   return microfacet_pdf(p.h, p.o_dot_h, wo, microfacets_of(b));
 }
 
-BsdfSample roughconductor_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample roughconductor_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   Microfacets m = microfacets_of(b);
-  vec3 wh = microfacet_sample_half_vector(wo, m, u);
+  vec3 wh = microfacet_sample_half_vector(wo, m, square_of(n));
   float c = dot3(wo, wh);
   BsdfSample s = bsdf_sample_none();
   s.wi = 2.0 * c * wh - wo;

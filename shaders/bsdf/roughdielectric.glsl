@@ -27,10 +27,10 @@ RoughInterface roughdielectric_interface(BsdfRecord b, vec3 wo) {
   return r;
 }
 
-/// Probability of reflection at a microfacet of reflectance f, within reach of a number of 24 bits.
+/// Probability of reflection at a microfacet of reflectance f, in whole words, within reach.
 float roughdielectric_reflection_probability(float f) {
   float p = min(max(f, 5.96046448e-8), 0.99999994);
-  return f > 0.0 && f < 1.0 ? p : f;
+  return f > 0.0 && f < 1.0 ? whole_words(p) : f;
 }
 
 /// Half vector of a refracted pair: not normalised; valid where it is a microfacet that both see
@@ -89,7 +89,7 @@ float roughdielectric_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   return wi_up.z > 0.0 ? reflected : (down.valid ? refracted : 0.0);
 }
 
-BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   RoughInterface r = roughdielectric_interface(b, wo);
   BsdfSample s = bsdf_sample_none();
   if (HAS_FLAG(b.flags, BSDF_DELTA) && r.eta_o == r.eta_i) {
@@ -97,11 +97,11 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
     return BsdfSample(-wo, DELTA_PDF,
                       roughdielectric_ka(b) * (g * (g / microfacet_normalisation(r.wo, r.m))), 1.0);
   }
-  vec3 wh = microfacet_sample_half_vector(r.wo, r.m, u);
+  vec3 wh = microfacet_sample_half_vector(r.wo, r.m, square_of(n));
   float c = dot3(r.wo, wh);
   float f = fresnel_dielectric(c, r.eta_o, r.eta_i);
   float p = roughdielectric_reflection_probability(f);
-  bool reflects = lobe < p;
+  bool reflects = choose_first(n.lobe, p, 0u);
   float e = r.eta_o / r.eta_i;
   float cos_t = sqrt(max(1.0 - e * e * max((1.0 - c) * (1.0 + c), 0.0), 0.0));
   // e c - cos_t, which would cancel for nearly equal indices; eta_i times it is eta_i wi.wh + eta_o

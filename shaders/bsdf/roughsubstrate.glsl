@@ -38,9 +38,9 @@ float roughsubstrate_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
                     roughsubstrate_coat_probability(b, wo));
 }
 
-BsdfSample roughsubstrate_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample roughsubstrate_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   Microfacets m = microfacets_of(b);
   float p = roughsubstrate_coat_probability(b, wo);
-  CoatedDirection d = coated_sample(wo, m, p, lobe, u);
+  CoatedDirection d = coated_sample(wo, m, p, n);
   return coated_result(d, wo, m, p, roughsubstrate_value(b, wo, d.wi, d.h, d.cos_h));
 }

@@ -9,6 +9,7 @@
 #include "../lib/emitter_sample.glsl"
 #include "../lib/frame.glsl"
 #include "../lib/choice.glsl"
+#include "../lib/random.glsl"
 
 /// Image coordinates of a direction: x in [0, W], y in [0, H], in texels.
 vec2 environment_coordinates(vec3 d) {
@@ -53,22 +54,19 @@ FACET_DEFINE_CHOICE(choose_environment_row, FACET_ROW_COUNT)
 #define FACET_COLUMN_COUNT(i) fetch_environment_column(i)
 FACET_DEFINE_CHOICE(choose_environment_cell, FACET_COLUMN_COUNT)
 
-/// How far bits lies into [begin, end), in [0, 1).
-float interval_fraction(uint bits, uint begin, uint end) {
-  return min(float(bits - begin) / float(max(end - begin, 1u)), 0.99999994);
-}
-
-EmitterSample environment_sample(uint row_bits, uint column_bits) {
-  row_bits = choice_word(row_bits);
-  column_bits = choice_word(column_bits);
-  uint row = choose_environment_row(0u, frame.environment_height - 1u, row_bits);
+/// u, v: words; each with its fill.
+EmitterSample environment_sample(uint u, uint v, uint u_fill, uint v_fill) {
+  uint row_word = choice_word(v);
+  uint row = choose_environment_row(0u, frame.environment_height - 1u, row_word);
   EnvironmentRow chosen = fetch_environment_row(row);
   uint row_begin = row > 0u ? fetch_environment_row(row - 1u).cumulative : 0u;
-  float fy = interval_fraction(row_bits, row_begin, chosen.cumulative);
+  float fy = unit_float(remainder_word(row_word, row_begin, chosen.cumulative, v_fill));
+  uint column_word = choice_word(u);
   uint first = row * frame.environment_width;
-  uint cell = choose_environment_cell(first, first + frame.environment_width - 1u, column_bits);
+  uint cell = choose_environment_cell(first, first + frame.environment_width - 1u, column_word);
   uint cell_begin = cell > first ? fetch_environment_column(cell - 1u) : 0u;
-  float fx = interval_fraction(column_bits, cell_begin, fetch_environment_column(cell));
+  float fx =
+      unit_float(remainder_word(column_word, cell_begin, fetch_environment_column(cell), u_fill));
   float y = lerp(chosen.y_begin, chosen.y_end, fy);
   float radius = sqrt(max((1.0 - y) * (1.0 + y), 0.0));
   vec2 sc = sincos_turns(1.0 - (float(cell - first) + fx) / float(frame.environment_width));

@@ -131,8 +131,7 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
     wi = to_local(shading, e.d);
   }
   uvec4 bits = random_block(id, bounce_block(k) + BOUNCE_BSDF);
-  vec2 u = vec2(unit_float(bits[BSDF_U]), unit_float(bits[BSDF_V]));
-  BsdfAnswers answers = bsdf_answers(bsdf, wo, wi, unit_float(bits[BSDF_LOBE]), u);
+  BsdfAnswers answers = bsdf_answers(bsdf, wo, wi, bsdf_numbers(bits));
   if (EMITTER_SAMPLING) {
     add_direct_light(step, s, e, abs(wi.z), answers.f, answers.pdf);
     step.has_shadow = step.has_shadow && scatters;

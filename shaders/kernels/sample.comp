@@ -7,19 +7,24 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-/// Lobe, u and v of a path's first interaction.
-vec3 random_numbers(uint index) {
+/// Of a path's first interaction.
+BsdfNumbers path_numbers(uint index) {
   SampleId id = SampleId(0u, evaluation.first_sample + index, evaluation.seed);
-  uvec4 words = random_block(id, bounce_block(1u) + BOUNCE_BSDF);
-  return vec3(unit_float(words[BSDF_LOBE]), unit_float(words[BSDF_U]), unit_float(words[BSDF_V]));
+  return bsdf_numbers(random_block(id, bounce_block(1u) + BOUNCE_BSDF));
+}
+
+/// Those of a query, multiples of 2^-24.
+BsdfNumbers given_numbers(uint index) {
+  uvec3 words = uvec3(queries[index].first.xyz * 16777216.0) << 8u;
+  return BsdfNumbers(words.x, words.y, words.z);
 }
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= evaluation.count) return;
-  vec3 numbers = random_numbers(i);
-  if (evaluation.given == 1u) numbers = queries[i].first.xyz;
-  BsdfSample s = bsdf_sample(fetch_bsdf(0u), evaluation.wo.xyz, numbers.x, numbers.yz);
+  BsdfNumbers numbers = path_numbers(i);
+  if (evaluation.given == 1u) numbers = given_numbers(i);
+  BsdfSample s = bsdf_sample(fetch_bsdf(0u), evaluation.wo.xyz, numbers);
   values[i] = vec4(s.wi, s.pdf);
   weights[i] = vec4(s.weight, 0.0);
 }

@@ -44,10 +44,10 @@ BsdfSample allowed_sample(BsdfRecord b, vec3 wo, BsdfSample s) {
 }
 
 /// Direction wi with its weight f |cos| / pdf; weight 0 where the sample is rejected.
-BsdfSample bsdf_sample(BsdfRecord b, vec3 wo, float lobe, vec2 u) {
+BsdfSample bsdf_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   BsdfSample s = bsdf_sample_none();
 #define FACET_CASE(name, Type, id) \
-  if (IS_BSDF(b, id)) s = name##_sample(b, wo, lobe, u);
+  if (IS_BSDF(b, id)) s = name##_sample(b, wo, n);
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE
   return allowed_sample(b, wo, s);
@@ -62,13 +62,13 @@ struct BsdfAnswers {
 
 /// As the three functions, as far as the integrator wants to know; in one branch a BSDF, so that
 /// what they have in common is computed once.
-BsdfAnswers bsdf_answers(BsdfRecord b, vec3 wo, vec3 wi, float lobe, vec2 u) {
+BsdfAnswers bsdf_answers(BsdfRecord b, vec3 wo, vec3 wi, BsdfNumbers n) {
   BsdfAnswers a = BsdfAnswers(vec3(0.0), 0.0, bsdf_sample_none());
 #define FACET_CASE(name, Type, id)                                            \
   if (IS_BSDF(b, id)) {                                                       \
     if (EMITTER_SAMPLING) a.f = name##_eval(b, wo, wi);                       \
     if (EMITTER_SAMPLING && MATERIAL_SAMPLING) a.pdf = name##_pdf(b, wo, wi); \
-    if (!ONLY_BOUNCE) a.next = name##_sample(b, wo, lobe, u);                 \
+    if (!ONLY_BOUNCE) a.next = name##_sample(b, wo, n);                       \
   }
   FACET_BSDF_LIST(FACET_CASE)
 #undef FACET_CASE

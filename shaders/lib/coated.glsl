@@ -16,11 +16,11 @@ float coated_falloff(float c) {
   return x * (5.0 + x * (-10.0 + x * (10.0 + x * (-5.0 + x))));
 }
 
-/// Probability of choosing the coat, by estimates of both albedos. u_lobe counts in steps of 2^-24:
-/// neither lobe that has a value is out of its reach.
+/// Probability of choosing the coat, by estimates of both albedos, in whole words; neither lobe
+/// that has a value is out of reach.
 float coated_probability(float coat, float base) {
   float p = min(max(coat / (coat + base), 5.96046448e-8), base > 0.0 ? 0.99999994 : 1.0);
-  return coat > 0.0 ? p : 0.0;
+  return coat > 0.0 ? whole_words(p) : 0.0;
 }
 
 /// Density of wi under both lobes, sr^-1; h of any length.
@@ -36,8 +36,9 @@ struct CoatedDirection {
   float cos_h;  // cosine between either direction and h
 };
 
-CoatedDirection coated_sample(vec3 wo, Microfacets m, float p, float lobe, vec2 u) {
-  bool coat = lobe < p;
+CoatedDirection coated_sample(vec3 wo, Microfacets m, float p, BsdfNumbers n) {
+  bool coat = choose_first_lobe(n, p);
+  vec2 u = square_of(n);
   vec3 wh = microfacet_sample_half_vector(wo, m, u);
   float c = dot3(wo, wh);
   CoatedDirection d;

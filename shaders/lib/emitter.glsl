@@ -12,14 +12,16 @@
 #define FACET_EMITTER_COUNT(i) fetch_emitter(i).cumulative
 FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 
-/// A direction from a surface towards an emitter.
+/// A direction from a surface towards an emitter, by the words of a block.
 EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
   EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true, false);
   if (IS_EMITTER(e.type, area)) {
-    s = area_sample(e, from, bits[EMITTER_PRIMITIVE],
-                    vec2(unit_float(bits[EMITTER_U]), unit_float(bits[EMITTER_V])));
+    s = area_sample(e, from, bits[EMITTER_U], bits[EMITTER_V], bits[EMITTER_SECOND_FILL]);
   }
-  if (IS_EMITTER(e.type, environment)) s = environment_sample(bits[EMITTER_V], bits[EMITTER_U]);
+  if (IS_EMITTER(e.type, environment)) {
+    s = environment_sample(bits[EMITTER_U], bits[EMITTER_V], bits[EMITTER_SECOND_FILL],
+                           bits[EMITTER_FIRST_FILL] ^ bits[EMITTER_SECOND_FILL]);
+  }
   if (IS_EMITTER(e.type, pointlight)) s = pointlight_sample(e, from);
   // Without power, an emitter has no density to sample by.
   s.pdf = e.probability > 0.0 ? s.pdf : 0.0;
@@ -28,8 +30,15 @@ EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
 
 /// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
 EmitterSample sample_emitters(Surface from, uvec4 bits) {
-  EmitterRecord e = fetch_emitter(
-      choose_emitter(0u, frame.emitter_count - 1u, choice_word(bits[EMITTER_CHOICE])));
+  uint word = choice_word(bits[EMITTER_U]);
+  if (!SEVERAL_EMITTERS) {
+    bits[EMITTER_U] = word;
+    return sample_emitter(fetch_emitter(0u), from, bits);
+  }
+  uint chosen = choose_emitter(0u, frame.emitter_count - 1u, word);
+  EmitterRecord e = fetch_emitter(chosen);
+  uint begin = chosen > 0u ? fetch_emitter(chosen - 1u).cumulative : 0u;
+  bits[EMITTER_U] = remainder_word(word, begin, e.cumulative, bits[EMITTER_FIRST_FILL]);
   EmitterSample s = sample_emitter(e, from, bits);
   s.pdf *= e.probability;
   return s;

@@ -13,6 +13,10 @@ layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = LARGEST_STACK_SIZE
 /// Bit id: the scene has a BSDF or emitter of that id.
 layout(constant_id = SPEC_BSDF_MASK) const uint BSDF_MASK = 0xffffffffu;
 layout(constant_id = SPEC_EMITTER_MASK) const uint EMITTER_MASK = 0xffffffffu;
+/// There is more than one emitter.
+layout(constant_id = SPEC_SEVERAL_EMITTERS) const bool SEVERAL_EMITTERS = true;
+/// Bit 0: some emitter's triangles are sampled by themselves; bit 1: some are, two as one.
+layout(constant_id = SPEC_EMITTER_PIECES) const uint EMITTER_PIECES = 3;
 /// Some mesh has vertex normals.
 layout(constant_id = SPEC_SHADING_NORMALS) const bool SHADING_NORMALS = true;
 /// Shading kernel, id of FACET_INTEGRATOR_KERNEL_LIST.

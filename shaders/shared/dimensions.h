@@ -21,15 +21,16 @@ FACET_CONSTANT uint BLOCKS_PER_BOUNCE = 2u;
 /// interaction k.
 FACET_CONSTANT uint BLOCK_EVERY_EMITTER = 0x80000000u;
 
-/// First block of a bounce: the emitter sample.
+/// First block of a bounce: the emitter sample. The fills stand behind what choices leave of u and
+/// v.
 FACET_CONSTANT uint BOUNCE_EMITTER = 0u;
-FACET_CONSTANT uint EMITTER_CHOICE = 0u;
-FACET_CONSTANT uint EMITTER_PRIMITIVE = 1u;
+FACET_CONSTANT uint EMITTER_FIRST_FILL = 0u;
+FACET_CONSTANT uint EMITTER_SECOND_FILL = 1u;
 FACET_CONSTANT uint EMITTER_U = 2u;
 FACET_CONSTANT uint EMITTER_V = 3u;
 
 /// Second block of a bounce: the BSDF sample and Russian roulette. u and v are one pair of the
-/// sobol sampler.
+/// sobol sampler; the lobe's word also stands behind what a choice leaves of u.
 FACET_CONSTANT uint BOUNCE_BSDF = 1u;
 FACET_CONSTANT uint BSDF_LOBE = 0u;
 FACET_CONSTANT uint BSDF_ROULETTE = 1u;

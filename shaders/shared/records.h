@@ -120,13 +120,15 @@ struct EmitterRecord {
   uint unused1;
 };
 
-/// One triangle of an area emitter's mesh.
+/// One triangle of an area emitter's mesh. Two that are sampled as one are chosen by the second's
+/// words; the first has none.
 struct EmitterTriangle {
   uint cumulative;  // it is chosen by the words below this and not below its predecessor's
   uint triangle;    // its place in the BVH
   float density;    // of its points, m^-2: the probability of its choice over its area
-  uint unused0;
+  uint corner;      // of two, the one that their common edge misses; NO_CORNER: sampled by itself
 };
+FACET_CONSTANT uint NO_CORNER = 3u;
 
 /// A row of cells of the environment's sampling density; y is the direction's y.
 struct EnvironmentRow {

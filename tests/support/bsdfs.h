@@ -18,6 +18,12 @@ template <typename Real>
   return made;
 }
 
+/// Words of a sample by numbers in [0, 1).
+[[nodiscard]] inline reference::BsdfNumbers numbers(double lobe, double u, double v) {
+  const auto word = [](double x) { return static_cast<std::uint32_t>(std::ldexp(x, 32)); };
+  return {word(lobe), word(u), word(v)};
+}
+
 struct NamedBsdf {
   std::string name;
   Bsdf bsdf;

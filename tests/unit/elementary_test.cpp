@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gpu/commands.h"
+#include "shared/random_hash.h"
 #include "support/render.h"
 
 namespace facet::test {
@@ -18,7 +19,8 @@ enum Function : std::uint32_t {
   function_erfc,
   function_erfinv,
   function_visible_slope,
-  function_fresnel
+  function_fresnel,
+  function_quotient
 };
 
 using Pairs = std::vector<glm::vec2>;
@@ -79,6 +81,28 @@ double largest_ulp(Function function, const Pairs& inputs, const Exact& exact) {
     largest = std::max(largest, std::abs(static_cast<double>(outputs[i].x) - y) / ulp);
   }
   return largest;
+}
+
+// The remainder of a choice, in exact integers.
+TEST(Elementary, quotient_of_64_bits) {
+  for (const std::uint32_t kind : {0U, 1U}) {
+    Pairs inputs(count);
+    for (std::size_t i = 0; i < count; ++i)
+      inputs[i] = {static_cast<float>(i), static_cast<float>(kind)};
+    const Pairs outputs = evaluate(function_quotient, inputs);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const shared::uvec4 words = shared::pcg4d({i, 0, 0, 0});
+      const std::uint64_t divisor = std::max(words.x >> (words.w & 31U), 1U);
+      const std::uint64_t high = kind == 1 ? divisor - 1 : words.y % divisor;
+      const std::uint64_t low = kind == 1 ? 0xffffffffU : words.z;
+      const std::uint64_t quotient = ((high << 32U) + low) / divisor;
+      if (outputs[i] !=
+          glm::vec2(static_cast<float>(quotient >> 16U), static_cast<float>(quotient & 0xffffU)))
+        ++wrong;
+    }
+    EXPECT_EQ(wrong, 0U) << kind;
+  }
 }
 
 TEST(Elementary, exp) {

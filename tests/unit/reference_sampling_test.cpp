@@ -39,13 +39,13 @@ Integrals integrate(const AnyBsdf<double>& bsdf, const Direction& wo) {
   return {sum.albedo * cell, sum.pdf * cell};
 }
 
-/// Calls use(sample) for a grid of numbers, the lobe's by a sequence of low discrepancy.
+/// Calls use(sample) for a grid of numbers, the last choice's by a sequence of low discrepancy.
 template <typename Use>
 int for_each_sample(const AnyBsdf<double>& bsdf, const Direction& wo, int side, const Use& use) {
   Unwatched probe;
   for (int i = 0; i < side * side; ++i) {
     const double lobe = std::fmod(i * 0.6180339887498949, 1.0);
-    use(bsdf.sample(wo, {lobe, (i % side + 0.5) / side, (i / side + 0.5) / side}, probe));
+    use(bsdf.sample(wo, numbers(lobe, (i % side + 0.5) / side, (i / side + 0.5) / side), probe));
   }
   return side * side;
 }
@@ -154,15 +154,15 @@ TEST(ReferenceSampling, a_dielectric_reflects_by_fresnel_and_refracts_by_snell) 
     const double outer = wo.z > 0 ? 1 : 1.5;
     const double inner = 2.5 - outer;
     const double f = dielectric_reflectance(std::abs(wo.z), outer, inner, 0, probe);
-    const BsdfSample<double> reflected = model.sample(wo, {0, 0, 0}, probe);
+    const BsdfSample<double> reflected = model.sample(wo, numbers(0, 0, 0), probe);
     EXPECT_EQ(reflected.wi, Direction(-wo.x, -wo.y, wo.z));
     EXPECT_EQ(reflected.weight, Direction(1));
     EXPECT_EQ(reflected.pdf, delta_pdf<double>);
-    EXPECT_EQ(model.sample(wo, {f * (1 - 1e-12), 0, 0}, probe).wi, reflected.wi) << "below F";
+    EXPECT_EQ(model.sample(wo, numbers(0, f - 0x1p-32, 0), probe).wi, reflected.wi) << "below F";
     EXPECT_EQ(model.eval(wo, reflected.wi, probe), Direction(0));
     EXPECT_EQ(model.pdf(wo, reflected.wi, probe), 0);
     if (f >= 1) continue;
-    const BsdfSample<double> refracted = model.sample(wo, {f, 0, 0}, probe);
+    const BsdfSample<double> refracted = model.sample(wo, numbers(0, f, 0), probe);
     EXPECT_LT(refracted.wi.z * wo.z, 0);
     EXPECT_NEAR(glm::dot(refracted.wi, refracted.wi), 1, 1e-12);
     EXPECT_NEAR(inner * refracted.wi.x, -outer * wo.x, 1e-12);
@@ -171,7 +171,7 @@ TEST(ReferenceSampling, a_dielectric_reflects_by_fresnel_and_refracts_by_snell) 
     EXPECT_NEAR(refracted.eta2 * refracted.weight.x, 1, 1e-12);
     // The way back is the same.
     const auto back = make_bsdf<double>(glass, LobeSampling::visible, refracted.wi.z < 0);
-    const BsdfSample<double> out = back.sample(refracted.wi, {1 - 1e-9, 0, 0}, probe);
+    const BsdfSample<double> out = back.sample(refracted.wi, numbers(0, 1 - 1e-9, 0), probe);
     EXPECT_NEAR(glm::length(out.wi - wo), 0, 1e-9);
   }
 }
@@ -180,13 +180,13 @@ TEST(ReferenceSampling, equal_indices_bend_nothing) {
   Unwatched probe;
   const Direction wo = direction(1.1, 0.4);
   const auto smooth = make_bsdf<double>(bsdf::Dielectric{1.3F, 1.3F}, LobeSampling::visible);
-  const BsdfSample<double> through = smooth.sample(wo, {0, 0, 0}, probe);
+  const BsdfSample<double> through = smooth.sample(wo, numbers(0, 0, 0), probe);
   EXPECT_NEAR(glm::length(through.wi + wo), 0, 1e-12);
   EXPECT_EQ(through.weight, Direction(1));
   const Bsdf frosted = bsdf::RoughDielectric{Color(0.5F), 0.6F, 1.3F, 1.3F, exact_beckmann};
   const auto rough = make_bsdf<double>(frosted, LobeSampling::ndf);
   ASSERT_TRUE(rough.delta());
-  const BsdfSample<double> s = rough.sample(wo, {0.9, 0.3, 0.3}, probe);
+  const BsdfSample<double> s = rough.sample(wo, numbers(0.9, 0.3, 0.3), probe);
   EXPECT_EQ(s.wi, -wo);
   EXPECT_EQ(s.pdf, delta_pdf<double>);
   const Microfacets<double> microfacets(static_cast<double>(0.6F), exact_beckmann,
@@ -239,7 +239,7 @@ std::vector<NamedBsdf> extreme_bsdfs() {
 
 template <typename Real>
 void expect_sound_at_the_ends() {
-  constexpr Real end = 1 - Real(1) / 16777216;
+  constexpr double end = 1 - 0x1p-32;
   Unwatched probe;
   std::vector<Vec3<Real>> wos;
   for (const double z : {1e-7, 1e-3, 0.7, 1.0})
@@ -253,10 +253,10 @@ void expect_sound_at_the_ends() {
           expect_sound(model.eval(wo, wi, probe) * std::abs(wi.z), b.name + " value ");
           expect_sound(Vec3<Real>(model.pdf(wo, wi, probe)), b.name + " density ");
         };
-        for (const Real lobe : {Real(0), Real(0.5), end}) {
-          for (const Real u : {Real(0), Real(0.5), end}) {
-            for (const Real v : {Real(0), Real(0.3), end}) {
-              const BsdfSample<Real> s = model.sample(wo, {lobe, u, v}, probe);
+        for (const double lobe : {0.0, 0.5, end}) {
+          for (const double u : {0.0, 0x1p-24, 0.1, 0.5, 0.9, end}) {
+            for (const double v : {0.0, 0.3, end}) {
+              const BsdfSample<Real> s = model.sample(wo, numbers(lobe, u, v), probe);
               expect_sound(s.weight, b.name + " weight ");
               if (s.pdf != delta_pdf<Real>)
                 expect_sound(Vec3<Real>(s.pdf), b.name + " sample's density ");

@@ -54,12 +54,41 @@ TEST(Reference, choices_are_the_kernels_choices) {
       const auto word = static_cast<std::uint32_t>(random());
       const auto expected =
           std::upper_bound(cumulative.begin(), cumulative.end(), std::min(word, 0xfffffffeU));
-      EXPECT_EQ(static_cast<std::ptrdiff_t>(choice.choose(word).entry),
+      EXPECT_EQ(static_cast<std::ptrdiff_t>(choice.choose(word, 0).entry),
                 expected - cumulative.begin());
     }
     for (std::size_t i = 0; i < weights.size(); ++i)
       EXPECT_EQ(choice.probability(i), choice_probability(cumulative, i));
   }
+}
+
+// However few words a choice has, what it leaves runs evenly through all of them.
+TEST(Reference, a_choice_leaves_a_word) {
+  constexpr std::uint32_t last = 0xffffffffU;
+  std::mt19937 random(8);
+  for (const std::uint64_t n : {1ULL, 2ULL, 3ULL, 1000ULL, 1ULL << 31U, (1ULL << 32U) - 1}) {
+    EXPECT_EQ(remainder_of(0, n, 0), 0U);
+    EXPECT_EQ(remainder_of(n - 1, n, last), last);
+    for (int k = 0; k < 1000; ++k) {
+      const std::uint64_t x = random() % n;
+      const auto fill = static_cast<std::uint32_t>(random());
+      const long double place =
+          (static_cast<long double>(x) + static_cast<long double>(fill) / 4294967296.0L) /
+          static_cast<long double>(n);
+      EXPECT_EQ(remainder_of(x, n, fill),
+                static_cast<std::uint32_t>(std::floor(place * 4294967296.0L)));
+    }
+  }
+  const TwoWayChoice choice(0.3);
+  const auto words = static_cast<std::uint32_t>(std::ldexp(choice.probability(), 32));
+  EXPECT_EQ(choice.remainder(true, 0, 0), 0U);
+  EXPECT_EQ(choice.remainder(true, words - 1, last), last);
+  EXPECT_EQ(choice.remainder(false, words, 0), 0U);
+  EXPECT_EQ(choice.remainder(false, last, last), last);
+  EXPECT_EQ(TwoWayChoice(1).remainder(true, 17, 5), 17U) << "there was no choice";
+  // A decision that rounding has turned leaves what lies next to it.
+  EXPECT_EQ(choice.remainder(true, words + 9, last), last);
+  EXPECT_EQ(choice.remainder(false, words - 9, 0), 0U);
 }
 
 TEST(Reference, filter_offsets_cut_equal_masses) {

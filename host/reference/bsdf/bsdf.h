@@ -49,7 +49,7 @@ class AnyBsdf {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers& n, Probe& probe) const {
     if (uniform_ && !delta()) return sample_uniformly(wo, n, probe);
     BsdfSample<Real> s =
         std::visit([&](const auto& m) { return m.sample(seen(wo), n, probe); }, model_);
@@ -91,9 +91,9 @@ class AnyBsdf {
   [[nodiscard]] Real uniform_pdf() const { return 1 / ((transmits() ? 4 : 2) * pi<Real>); }
 
   template <typename Probe>
-  BsdfSample<Real> sample_uniformly(const Vec3<Real>& wo, const BsdfNumbers<Real>& n,
+  BsdfSample<Real> sample_uniformly(const Vec3<Real>& wo, const BsdfNumbers& n,
                                     Probe& probe) const {
-    const Vec3<Real> wi = uniform_direction(n.u, n.v, Real(transmits() ? 2 : 1));
+    const Vec3<Real> wi = uniform_direction(n.u<Real>(), n.v<Real>(), Real(transmits() ? 2 : 1));
     BsdfSample<Real> s{wi, uniform_pdf(), eval(wo, wi, probe) * (std::abs(wi.z) / uniform_pdf())};
     if (!is_above(seen(wi), probe))
       visit_transmitting(*this, [&](const auto& m) { s.eta2 = m.eta2(); });

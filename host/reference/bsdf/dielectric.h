@@ -21,10 +21,9 @@ class Dielectric : public DeltaLobes<Real> {
   [[nodiscard]] Real eta2() const { return interface_.eta2(); }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+  BsdfSample<Real> sample(const Vec3<Real>& wo, BsdfNumbers n, Probe& probe) const {
     const Real f = interface_.reflectance(wo.z, 0, probe);
-    if (probe.below(DecisionKind::lobe, n.lobe, f))
-      return {{-wo.x, -wo.y, wo.z}, delta_pdf<Real>, Vec3<Real>(1)};
+    if (n.choose_first(f, probe)) return {{-wo.x, -wo.y, wo.z}, delta_pdf<Real>, Vec3<Real>(1)};
     const Real e = interface_.ratio();
     const Real cosine = interface_.refracted_cosine(wo.x * wo.x + wo.y * wo.y, probe);
     return {{-e * wo.x, -e * wo.y, -cosine}, delta_pdf<Real>, Vec3<Real>(e * e), eta2()};

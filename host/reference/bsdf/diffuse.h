@@ -28,9 +28,8 @@ class Diffuse {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& /*wo*/, const BsdfNumbers<Real>& n,
-                          Probe& /*probe*/) const {
-    const Vec3<Real> wi = cosine_direction(n.u, n.v);
+  BsdfSample<Real> sample(const Vec3<Real>& /*wo*/, const BsdfNumbers& n, Probe& /*probe*/) const {
+    const Vec3<Real> wi = cosine_direction(n.u<Real>(), n.v<Real>());
     return {wi, wi.z / pi<Real>, albedo_};
   }
 

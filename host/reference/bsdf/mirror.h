@@ -15,8 +15,7 @@ class Mirror : public DeltaLobes<Real> {
   Mirror(const bsdf::Mirror& /*p*/, Parameters& /*at*/, LobeSampling /*sampling*/) {}
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& /*n*/,
-                          Probe& /*probe*/) const {
+  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers& /*n*/, Probe& /*probe*/) const {
     return {{-wo.x, -wo.y, wo.z}, delta_pdf<Real>, Vec3<Real>(1)};
   }
 };

@@ -38,8 +38,8 @@ class RoughConductor {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
-    const Vec3<Real> h = microfacets_.sample_half_vector(wo, n.u, n.v, probe);
+  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers& n, Probe& probe) const {
+    const Vec3<Real> h = microfacets_.sample_half_vector(wo, n.u<Real>(), n.v<Real>(), probe);
     const HalfVector<Real> half(h, glm::dot(wo, h));
     const Vec3<Real> wi = half.reflect(wo);
     if (!is_above(wi, probe)) return {wi, 0, Vec3<Real>(0)};

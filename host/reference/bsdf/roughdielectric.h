@@ -48,14 +48,14 @@ class RoughDielectric {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers& n, Probe& probe) const {
     if (delta()) return straight_through(wo, probe);
-    const Vec3<Real> h = microfacets_.sample_half_vector(wo, n.u, n.v, probe);
+    const Vec3<Real> h = microfacets_.sample_half_vector(wo, n.u<Real>(), n.v<Real>(), probe);
     Pair pair{true, true, h, glm::dot(wo, h), 0};
     if (!faces(pair.cosine, probe)) return {};
     const Real f = interface_.reflectance(pair.cosine, 0, probe);
     const Real p = within_reach(f);
-    pair.reflected = probe.below(DecisionKind::lobe, n.lobe, p);
+    pair.reflected = n.choose_first_at_last(p, probe);
     const Vec3<Real> wi = pair.reflected ? 2 * pair.cosine * h - wo : refract(wo, pair, probe);
     if (is_above(wi, probe) != pair.reflected) return {};
     if (pair.reflected) pair.jacobian = jacobian_of_reflection(pair.cosine);

@@ -1,7 +1,9 @@
 #pragma once
 // What sampling a BSDF gives. Directions are unit, in the shading frame, z along the shading
 // normal.
+#include "reference/choice.h"
 #include "reference/probe.h"
+#include "reference/random.h"
 #include "reference/real.h"
 #include "shared/records.h"
 
@@ -33,12 +35,45 @@ struct DeltaLobes {
   }
 };
 
-/// Numbers of a BSDF sample (docs/sampling.md, "BSDF sample").
-template <typename Real>
-struct BsdfNumbers {
-  Real lobe = 0;
-  Real u = 0;
-  Real v = 0;
+/// Words of a BSDF sample (docs/sampling.md, "BSDF sample").
+class BsdfNumbers {
+ public:
+  BsdfNumbers(std::uint32_t lobe, std::uint32_t u, std::uint32_t v) : lobe_(lobe), u_(u), v_(v) {}
+  explicit BsdfNumbers(const Block& block)
+      : BsdfNumbers(block.word(shared::BSDF_LOBE), block.word(shared::BSDF_U),
+                    block.word(shared::BSDF_V)) {}
+
+  template <typename Real>
+  [[nodiscard]] Real u() const {
+    return number_of<Real>(u_);
+  }
+  template <typename Real>
+  [[nodiscard]] Real v() const {
+    return number_of<Real>(v_);
+  }
+
+  /// Whether the first of two lobes is chosen, of probability p; u keeps the remainder.
+  template <typename Real, typename Probe>
+  [[nodiscard]] bool choose_first(Real p, Probe& probe) {
+    const TwoWayChoice choice(static_cast<double>(p));
+    const bool first = probe.below(DecisionKind::lobe, share_of(u_), choice.probability());
+    u_ = choice.remainder(first, u_, lobe_);
+    return first;
+  }
+  /// The same where u and v have been used.
+  template <typename Real, typename Probe>
+  [[nodiscard]] bool choose_first_at_last(Real p, Probe& probe) const {
+    const TwoWayChoice choice(static_cast<double>(p));
+    return probe.below(DecisionKind::lobe, share_of(lobe_), choice.probability());
+  }
+
+ private:
+  /// The share of all words that lie below one.
+  static double share_of(std::uint32_t word) { return std::ldexp(static_cast<double>(word), -32); }
+
+  std::uint32_t lobe_;
+  std::uint32_t u_;
+  std::uint32_t v_;
 };
 
 /// Whether a direction lies above the surface.
@@ -47,13 +82,13 @@ template <typename Real, typename Probe>
   return probe.positive(DecisionKind::horizon, w.z);
 }
 
-/// A probability p within reach of a number of 24 bits from both sides, unless one side has no
-/// value.
+/// A probability p of whole words, within 2^-24 from both sides unless one side has no value.
 template <typename Real>
 [[nodiscard]] Real within_reach(Real p) {
   constexpr Real step = Real(1) / 16777216;
   if (!(p > 0 && p < 1)) return p;
-  return std::clamp(p, step, 1 - step);
+  return static_cast<Real>(
+      TwoWayChoice(static_cast<double>(std::clamp(p, step, 1 - step))).probability());
 }
 
 /// Direction with density cos/pi.

@@ -54,13 +54,13 @@ class TwoLobes {
   }
 
   template <typename Probe>
-  BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfNumbers<Real>& n, Probe& probe) const {
+  BsdfSample<Real> sample(const Vec3<Real>& wo, BsdfNumbers n, Probe& probe) const {
     const Real p = coat_probability(wo, probe);
-    if (!probe.below(DecisionKind::lobe, n.lobe, p)) {
-      const Vec3<Real> wi = cosine_direction(n.u, n.v);
+    if (!n.choose_first(p, probe)) {
+      const Vec3<Real> wi = cosine_direction(n.u<Real>(), n.v<Real>());
       return weighted(wo, wi, HalfVector<Real>(wo, wi), p, probe);
     }
-    const Vec3<Real> h = lobes_.microfacets.sample_half_vector(wo, n.u, n.v, probe);
+    const Vec3<Real> h = lobes_.microfacets.sample_half_vector(wo, n.u<Real>(), n.v<Real>(), probe);
     const HalfVector<Real> half(h, glm::dot(wo, h));
     const Vec3<Real> wi = half.reflect(wo);
     if (!is_above(wi, probe)) return {wi, 0, Vec3<Real>(0)};
@@ -92,8 +92,9 @@ class TwoLobes {
     const Real base = lobes_.base_albedo(wo);
     if (coat <= 0) return 0;
     if (base <= 0) return 1;
+    // Of tiny shares, the quotient may round to 0 or 1.
     constexpr Real step = Real(1) / 16777216;
-    return std::clamp(coat / (coat + base), step, 1 - step);
+    return within_reach(std::clamp(coat / (coat + base), step, 1 - step));
   }
 
   Lobes lobes_;

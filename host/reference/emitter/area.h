@@ -1,29 +1,44 @@
 #pragma once
+#include <numeric>
+
 #include "reference/choice.h"
+#include "reference/emitter/piece.h"
 #include "reference/emitter/sample.h"
-#include "reference/random.h"
 #include "reference/surface.h"
 #include "reference/texture.h"
 
 namespace facet::reference {
 
-/// A mesh that emits to the side of its shading normals, sampled uniformly by area.
+/// A mesh that emits to the side of its shading normals, sampled by area.
 template <typename Real>
 class AreaLight {
  public:
   AreaLight(const Scene& scene, const Geometry<Real>& geometry, const AreaEmitter& emitter)
       : scene_(scene), geometry_(geometry), radiance_(emitter.radiance), texture_(emitter.texture) {
     const Mesh& mesh = scene.meshes[emitter.mesh];
+    const std::size_t count = mesh.position_indices.size();
     std::vector<double> areas;
-    double area = 0;
-    for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
-      triangles_.push_back(geometry.places[geometry.first_place[emitter.mesh] + i]);
-      areas.push_back(triangle_area(mesh, i));
-      area += areas.back();
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < count;) {
+      const EmittingPiece piece = piece_at(mesh, i);
+      const std::size_t size = piece.is_pair ? 2 : 1;
+      for (std::size_t k = i; k < i + size; ++k) areas.push_back(triangle_area(mesh, k));
+      weights.push_back(
+          std::accumulate(areas.begin() + static_cast<std::ptrdiff_t>(i), areas.end(), 0.0));
+      pieces_.push_back(piece);
+      i += size;
     }
-    by_area_ = Choice(areas);
-    for (std::size_t i = 0; i < areas.size(); ++i)
-      densities_.push_back(areas[i] > 0 ? by_area_.probability(i) / areas[i] : 0);
+    by_area_ = Choice(weights);
+    densities_.resize(count);
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const std::size_t size = pieces_[p].is_pair ? 2 : 1;
+      for (std::size_t k = pieces_[p].first; k < pieces_[p].first + size; ++k) {
+        triangles_.push_back(geometry.places[geometry.first_place[emitter.mesh] + k]);
+        if (areas[k] > 0)
+          densities_[k] = by_area_.probability(p) / static_cast<double>(size) / areas[k];
+      }
+    }
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
     power_ = std::numbers::pi * area * static_cast<double>(luminance(scene.mean_radiance(emitter)));
   }
 
@@ -49,13 +64,13 @@ class AreaLight {
   }
 
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from, const Block& block,
+  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from, const EmitterNumbers& numbers,
                                            Probe& probe) const {
-    const Real s = std::sqrt(1 - block.number<Real>(shared::EMITTER_U));
-    const Real v = block.number<Real>(shared::EMITTER_V);
-    const std::size_t chosen = by_area_.choose(block.word(shared::EMITTER_PRIMITIVE)).entry;
+    const Choice::Outcome chosen = by_area_.choose(numbers.u, numbers.second_fill);
+    const PiecePoint<Real> at = point_of(pieces_[chosen.entry], number_of<Real>(chosen.remainder),
+                                         number_of<Real>(numbers.v));
     Surface<Real> point =
-        surface_at(scene_, geometry_.triangles[triangles_[chosen]], s * (1 - v), s * v, probe);
+        surface_at(scene_, geometry_.triangles[triangles_[at.triangle]], at.b1, at.b2, probe);
     const Vec3<Real> way = point.position - from.position;
     EmitterSample<Real> sample;
     sample.direction = probe.nudged(unit(way));
@@ -73,7 +88,8 @@ class AreaLight {
   Vec3<Real> radiance_;
   std::uint32_t texture_;
   std::vector<std::uint32_t> triangles_;  ///< places of the mesh's triangles
-  Choice by_area_;
+  std::vector<EmittingPiece> pieces_;
+  Choice by_area_;                 ///< of a piece
   std::vector<double> densities_;  ///< of points of each triangle, m^-2
   double power_ = 0;
 };

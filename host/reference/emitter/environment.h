@@ -2,7 +2,6 @@
 #include "reference/choice.h"
 #include "reference/emitter/sample.h"
 #include "reference/grid.h"
-#include "reference/random.h"
 #include "reference/surface.h"
 #include "scene/scene.h"
 
@@ -29,12 +28,12 @@ class Environment {
   }
 
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& /*from*/, const Block& block,
-                                           Probe& probe) const {
-    const Choice::Outcome row = rows_.choose(block.word(shared::EMITTER_V));
-    const Choice::Outcome column = columns_[row.entry].choose(block.word(shared::EMITTER_U));
-    const Real fy = fraction(row.fraction);
-    const Real fx = fraction(column.fraction);
+  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& /*from*/,
+                                           const EmitterNumbers& numbers, Probe& probe) const {
+    const Choice::Outcome row = rows_.choose(numbers.v, numbers.first_fill ^ numbers.second_fill);
+    const Choice::Outcome column = columns_[row.entry].choose(numbers.u, numbers.second_fill);
+    const Real fy = number_of<Real>(row.remainder);
+    const Real fx = number_of<Real>(column.remainder);
     const Real y = (1 - fy) * Real(heights_[row.entry]) + fy * Real(heights_[row.entry + 1]);
     Real sine = 0;
     Real cosine = 0;
@@ -55,8 +54,6 @@ class Environment {
     Real x;
     Real y;
   };
-
-  static Real fraction(double f) { return std::min(static_cast<Real>(f), 1 - Real(1) / 16777216); }
 
   template <typename Probe>
   [[nodiscard]] Place place_of(const Vec3<Real>& d, Probe& probe) const {

@@ -1,6 +1,5 @@
 #pragma once
 #include "reference/emitter/sample.h"
-#include "reference/random.h"
 #include "reference/surface.h"
 
 namespace facet::reference {
@@ -18,8 +17,8 @@ class PointSource {
   [[nodiscard]] double power(const Box& /*bounds*/) const { return power_; }
 
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from, const Block& /*block*/,
-                                           Probe& probe) const {
+  [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from,
+                                           const EmitterNumbers& /*numbers*/, Probe& probe) const {
     const Vec3<Real> way = position_ - from.position;
     EmitterSample<Real> s;
     s.direction = probe.nudged(unit(way));

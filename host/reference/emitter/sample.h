@@ -1,9 +1,24 @@
 #pragma once
 // What sampling an emitter gives.
+#include "reference/random.h"
 #include "reference/real.h"
 #include "scene/scene.h"
 
 namespace facet::reference {
+
+/// Words of an emitter sample (docs/sampling.md, "Emitter sample").
+struct EmitterNumbers {
+  std::uint32_t u = 0;
+  std::uint32_t v = 0;
+  std::uint32_t first_fill = 0;
+  std::uint32_t second_fill = 0;
+
+  explicit EmitterNumbers(const Block& block)
+      : u(block.word(shared::EMITTER_U)),
+        v(block.word(shared::EMITTER_V)),
+        first_fill(block.word(shared::EMITTER_FIRST_FILL)),
+        second_fill(block.word(shared::EMITTER_SECOND_FILL)) {}
+};
 
 template <typename Real>
 struct EmitterSample {

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "render/pack/bsdf_record.h"
 #include "render/pack/choice.h"
+#include "render/pack/emitter_pieces.h"
 #include "render/pack/texture_table.h"
 #include "scene/bsdf/albedo_table.h"
 
@@ -122,18 +123,25 @@ class Packer {
   /// Triangles of each area emitter with their cumulative counts and densities; returns the
   /// emitter's area.
   double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
-    const Mesh& source = scene_.meshes[mesh];
-    std::vector<double> areas(source.position_indices.size());
+    const std::vector<EmitterPiece> pieces = emitter_pieces(scene_.meshes[mesh]);
+    std::vector<double> weights;
     double total = 0;
-    for (std::size_t i = 0; i < areas.size(); ++i) total += areas[i] = triangle_area(source, i);
-    const std::vector<std::uint32_t> counts = cumulative_counts(areas);
+    for (const EmitterPiece& piece : pieces) {
+      weights.push_back(piece.weight);
+      total += piece.area;
+    }
+    const std::vector<std::uint32_t> counts = cumulative_counts(weights);
     record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
     record.triangle_count = static_cast<std::uint32_t>(counts.size());
     record.first_index = first_id_[mesh];
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      const double density = areas[i] > 0 ? choice_probability(counts, i) / areas[i] : 0;
+      const EmitterPiece& piece = pieces[i];
+      const bool alone = piece.corner == shared::NO_CORNER;
+      const std::size_t chosen = piece.weight > 0 ? i : std::min(i + 1, counts.size() - 1);
+      const double probability = choice_probability(counts, chosen) / (alone ? 1 : 2);
+      const double density = piece.area > 0 ? probability / piece.area : 0;
       packed_.emitter_triangles.push_back(
-          {counts[i], 0, static_cast<float>(std::min(density, 1e38)), 0});
+          {counts[i], 0, static_cast<float>(std::min(density, 1e38)), piece.corner});
     }
     for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s)
       packed_.emitter_triangles[record.first_triangle + sources_[s].index].triangle =
