@@ -73,8 +73,8 @@ template <typename Real>
 }
 
 /// The ray against boxes; inlined whatever else is in the unit, since traversal is little else.
-/// grown: boxes count as larger by this share of their size, distances as
-/// uncertain by the same share; rounding alone needs 16 ulps of the distances.
+/// grown: boxes count as larger by this share of their size, distances as uncertain by the same
+/// share; rounding alone needs 16 ulps of the distances.
 template <typename Real>
 class BoxTest {
  public:

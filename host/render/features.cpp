@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/pack/bsdf_record.h"
-#include "render/pack/emitter_pieces.h"
 #include "shared/emitter_list.h"
 
 namespace facet {
@@ -34,11 +33,6 @@ void add_bsdfs(Features& f, const std::vector<Bsdf>& bsdfs) {
   }
 }
 
-void add_pieces(Features& f, const Mesh& mesh) {
-  for (const EmitterPiece& piece : emitter_pieces(mesh))
-    f.emitter_pieces |= piece.corner == shared::NO_CORNER ? 1U : 2U;
-}
-
 }  // namespace
 
 Features find_features(const Scene& scene, const RenderSettings& settings) {
@@ -49,11 +43,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
     const auto* bitmap = std::get_if<BitmapTexture>(&texture);
     if (bitmap != nullptr && !bitmap->colors.empty()) f.texture_kinds |= 4U;
   }
-  for (const Emitter& emitter : scene.emitters) {
-    f.emitter_mask |= 1U << emitter.index();
-    if (const auto* area = std::get_if<AreaEmitter>(&emitter))
-      add_pieces(f, scene.meshes[area->mesh]);
-  }
+  for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
   f.several_emitters = scene.emitters.size() > 1;
   f.shading_normals = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                   [](const Mesh& m) { return !m.normal_indices.empty(); });

@@ -19,7 +19,8 @@ struct Features {
   bool rough_bsdfs = false;           ///< some BSDF has microfacets
   bool shading_normals = false;
   bool several_emitters = false;
-  std::uint32_t emitter_pieces = 0;  ///< bit 0: single triangles, bit 1: two as one
+  /// Bit 0: single triangles, bit 1: two as one. Packing finds out; find_features leaves it 0.
+  std::uint32_t emitter_pieces = 0;
   bool roulette = false;
   bool variance = false;
   bool negative_filter = false;  ///< the reconstruction filter is negative in parts

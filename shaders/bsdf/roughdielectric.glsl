@@ -101,7 +101,7 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   float c = dot3(r.wo, wh);
   float f = fresnel_dielectric(c, r.eta_o, r.eta_i);
   float p = roughdielectric_reflection_probability(f);
-  bool reflects = choose_first(n.lobe, p, 0u);
+  bool reflects = is_first(n.lobe, p);
   float e = r.eta_o / r.eta_i;
   float cos_t = sqrt(max(1.0 - e * e * max((1.0 - c) * (1.0 + c), 0.0), 0.0));
   // e c - cos_t, which would cancel for nearly equal indices; eta_i times it is eta_i wi.wh + eta_o

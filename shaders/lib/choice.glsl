@@ -35,14 +35,19 @@ uint remainder_word(uint bits, uint begin, uint end, uint fill) {
   return end - begin == 0xffffffffu ? bits : rest;
 }
 
-/// A probability as a whole number of words, and back.
+/// A probability rounded down to a whole number of words.
 float whole_words(float p) { return floor(p * 4294967296.0) * 2.3283064365386963e-10; }
 
-/// Chooses the first of two with probability p, of whole words, and leaves the remainder of the
-/// word.
+/// How many words choose the first of two, of probability p < 1.
+uint words_of(float p) { return uint(min(p, 0.99999994) * 4294967296.0); }
+
+/// Whether a word chooses the first of two, of probability p in whole words.
+bool is_first(uint bits, float p) { return p >= 1.0 || bits < words_of(p); }
+
+/// The same, and leaves the remainder of the word.
 bool choose_first(inout uint bits, float p, uint fill) {
-  uint words = uint(min(p, 0.99999994) * 4294967296.0);
-  bool first = p >= 1.0 || bits < words;
+  uint words = words_of(p);
+  bool first = is_first(bits, p);
   uint begin = first ? 0u : words;
   uint rest = divide_wide(bits - begin, fill, first ? max(words, 1u) : 0u - max(words, 1u));
   bits = p >= 1.0 || words == 0u ? bits : rest;

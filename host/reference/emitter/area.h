@@ -1,6 +1,4 @@
 #pragma once
-#include <numeric>
-
 #include "reference/choice.h"
 #include "reference/emitter/piece.h"
 #include "reference/emitter/sample.h"
@@ -18,27 +16,25 @@ class AreaLight {
     const Mesh& mesh = scene.meshes[emitter.mesh];
     const std::size_t count = mesh.position_indices.size();
     std::vector<double> areas;
+    double area = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      triangles_.push_back(geometry.places[geometry.first_place[emitter.mesh] + i]);
+      areas.push_back(triangle_area(mesh, i));
+      area += areas.back();
+    }
     std::vector<double> weights;
-    for (std::size_t i = 0; i < count;) {
-      const EmittingPiece piece = piece_at(mesh, i);
-      const std::size_t size = piece.is_pair ? 2 : 1;
-      for (std::size_t k = i; k < i + size; ++k) areas.push_back(triangle_area(mesh, k));
-      weights.push_back(
-          std::accumulate(areas.begin() + static_cast<std::ptrdiff_t>(i), areas.end(), 0.0));
-      pieces_.push_back(piece);
-      i += size;
+    for (std::size_t i = 0; i < count; i += pieces_.back().triangle_count()) {
+      pieces_.push_back(piece_at(mesh, i));
+      weights.push_back(areas[i] + (pieces_.back().is_pair ? areas[i + 1] : 0));
     }
     by_area_ = Choice(weights);
     densities_.resize(count);
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      const std::size_t size = pieces_[p].is_pair ? 2 : 1;
-      for (std::size_t k = pieces_[p].first; k < pieces_[p].first + size; ++k) {
-        triangles_.push_back(geometry.places[geometry.first_place[emitter.mesh] + k]);
-        if (areas[k] > 0)
-          densities_[k] = by_area_.probability(p) / static_cast<double>(size) / areas[k];
-      }
+      const EmittingPiece& piece = pieces_[p];
+      const double share = by_area_.probability(p) / static_cast<double>(piece.triangle_count());
+      for (std::size_t i = piece.first; i < piece.first + piece.triangle_count(); ++i)
+        densities_[i] = areas[i] > 0 ? share / areas[i] : 0;
     }
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
     power_ = std::numbers::pi * area * static_cast<double>(luminance(scene.mean_radiance(emitter)));
   }
 

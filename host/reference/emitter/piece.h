@@ -15,6 +15,8 @@ struct EmittingPiece {
   bool is_pair = false;
   /// Of a pair, each triangle's vertices in the order a, b, d and c, b, d.
   std::array<std::array<int, 3>, 2> order{};
+
+  [[nodiscard]] std::size_t triangle_count() const { return is_pair ? 2 : 1; }
 };
 
 /// The piece that begins with a triangle of the mesh.

@@ -291,6 +291,8 @@ PackedScene pack_scene(const Scene& scene, const RenderSettings& settings) {
   PackedScene packed = Packer(scene, settings).pack();
   packed.settings = settings;
   packed.features = find_features(scene, settings);
+  for (const shared::EmitterTriangle& t : packed.emitter_triangles)
+    packed.features.emitter_pieces |= t.corner == shared::NO_CORNER ? 1U : 2U;
   return packed;
 }
 
