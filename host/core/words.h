@@ -20,8 +20,9 @@ Word(Value, const char*) -> Word<Value>;
 
 inline constexpr std::array heuristic_words{Word{Heuristic::balance, "balance"},
                                             Word{Heuristic::power, "power"}};
-inline constexpr std::array emitter_selection_words{Word{EmitterSelection::uniform, "uniform"},
-                                                    Word{EmitterSelection::power, "power"}};
+inline constexpr std::array emitter_selection_words{
+    Word{EmitterSelection::contribution, "contribution"}, Word{EmitterSelection::power, "power"},
+    Word{EmitterSelection::uniform, "uniform"}};
 inline constexpr std::array masking_words{Word{Masking::rational, "rational"},
                                           Word{Masking::exact, "exact"}};
 inline constexpr std::array lobe_sampling_words{Word{LobeSampling::ndf, "ndf"},

@@ -88,7 +88,7 @@ constexpr std::array fields{
         [](R& r, const std::string& t) { return set_word(heuristic_words, t, r.heuristic); }},
     RecordField{
         "facet.emitterSelection", "emitter_selection", false, "--emitter-selection",
-        "emitter selection", true, "uniform or power",
+        "emitter selection", true, "contribution, power or uniform",
         [](const R& r) -> Text { return word_of(emitter_selection_words, r.emitter_selection); },
         [](R& r, const std::string& t) {
           return set_word(emitter_selection_words, t, r.emitter_selection);

@@ -23,6 +23,8 @@ class TwoWayChoice {
   /// Of the first, in whole words.
   [[nodiscard]] double probability() const { return std::ldexp(static_cast<double>(words_), -32); }
 
+  [[nodiscard]] bool is_first(std::uint32_t word) const { return word < words_; }
+
   /// What is left of a word that has made the choice, be it that rounding had a say in it.
   [[nodiscard]] std::uint32_t remainder(bool first, std::uint32_t word, std::uint32_t fill) const {
     constexpr std::uint64_t all = 1ULL << 32U;

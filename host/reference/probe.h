@@ -29,6 +29,7 @@ enum class DecisionKind : std::uint8_t {
   cell,  ///< in which cell of the environment's density or of a checker lies a direction or a point
   texel,     ///< between which texels of an image: its slope changes there
   roulette,  ///< does the path go on: u - q
+  light,     ///< how is the probability of one of two lights rounded
 };
 
 [[nodiscard]] const char* decision_name(DecisionKind kind);

@@ -55,8 +55,9 @@ class Tracer {
   struct Path {
     Ray<Real> ray;
     Vec3<Real> throughput{1};
-    Real pdf = 0;   ///< of the ray's direction, sr^-1, or delta_pdf
-    Real eta2 = 1;  ///< product of (eta_i/eta_o)^2 of all refractions
+    Real pdf = 0;           ///< of the ray's direction, sr^-1, or delta_pdf
+    Receiver<Real> from{};  ///< where the ray leaves a surface
+    Real eta2 = 1;          ///< product of (eta_i/eta_o)^2 of all refractions
   };
 
   [[nodiscard]] Vec3<Real> normals(const Ray<Real>& ray) {
@@ -138,7 +139,8 @@ class Tracer {
     if (!integrator_.type.every_emitter) {
       probe_.at_ray(2 * k - 1);
       const Block block = bounce_block(id_, k, shared::BOUNCE_EMITTER);
-      radiance += throughput * light_of(world_.sample_emitter(at.surface, block, probe_), at);
+      radiance +=
+          throughput * light_of(world_.sample_emitter(at.surface, receiver(at), block, probe_), at);
       return;
     }
     const std::size_t count = world_.scene.emitters.size();
@@ -203,9 +205,11 @@ class Tracer {
       const Hit<Real> hit = rays_.closest(path.ray);
       if (hit.triangle == none)
         return radiance +
-               path.throughput * weighted(world_.emission_from_afar(d, probe_), k, path.pdf);
+               path.throughput *
+                   weighted(world_.emission_from_afar(path.from, d, probe_), k, path.pdf);
       const Surface<Real> s = rays_.surface_of(hit);
-      radiance += path.throughput * weighted(world_.emission_of(s, d, hit.t, probe_), k, path.pdf);
+      radiance += path.throughput *
+                  weighted(world_.emission_of(s, path.from, d, hit.t, probe_), k, path.pdf);
       if (k > last) return radiance;
       const std::optional<Interaction> at = interaction(s, d);
       if (!at) return radiance;
@@ -242,7 +246,14 @@ class Tracer {
     if (!survives(path, k, block.word(shared::BSDF_ROULETTE))) return false;
     const Vec3<Real> d = probe_.nudged(at.frame.to_world(probe_.nudged(sample.wi)));
     path.ray = {at.surface.origin_towards(d, 2, probe_), d};
+    path.from = receiver(at);
+    path.from.point = path.ray.origin;
     return true;
+  }
+
+  /// An interaction as a light tree sees it.
+  [[nodiscard]] static Receiver<Real> receiver(const Interaction& at) {
+    return {at.surface.position, at.bsdf.transmits() ? Vec3<Real>(0) : at.surface.ns};
   }
 
   const World<Real>& world_;

@@ -8,6 +8,7 @@
 #include "reference/camera.h"
 #include "reference/emitter/area.h"
 #include "reference/emitter/environment.h"
+#include "reference/emitter/light_tree.h"
 #include "reference/emitter/point.h"
 #include "scene/settings.h"
 
@@ -34,9 +35,14 @@ class World {
         static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     for (double& w : weights) {
       if (!(w > 0)) continue;
-      w = (settings.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
+      w = (settings.integrator.emitter_selection != EmitterSelection::uniform ? w / total : 0) +
+          1 / shining;
     }
     choice_ = Choice(weights);
+    const IntegratorType& type = integrator.type;
+    if (settings.integrator.emitter_selection == EmitterSelection::contribution &&
+        type.emitter_sampling && !type.every_emitter)
+      plant_tree();
   }
 
   /// The BSDF of a point, seen from above.
@@ -49,9 +55,11 @@ class World {
   /// A direction from a surface towards some emitter; the density includes the choice of the
   /// emitter.
   template <typename Probe>
-  [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from, const Block& block,
+  [[nodiscard]] EmitterSample<Real> sample_emitter(const Surface<Real>& from,
+                                                   const Receiver<Real>& at, const Block& block,
                                                    Probe& probe) const {
     EmitterNumbers numbers(block);
+    if (!tree_.empty()) return sample_by_contribution(from, at, numbers, probe);
     const auto [chosen, remainder] = choice_.choose(numbers.u, numbers.first_fill);
     // Where no emitter has power, none is sampled.
     if (!(choice_.probability(chosen) > 0)) return {};
@@ -72,24 +80,33 @@ class World {
     return s;
   }
 
-  /// What a ray in direction d finds on the surface that it hits at the given distance.
+  /// What a ray in direction d from a receiver finds on the surface that it hits at the given
+  /// distance.
   template <typename Probe>
-  [[nodiscard]] Found<Real> emission_of(const Surface<Real>& s, const Vec3<Real>& d, Real distance,
-                                        Probe& probe) const {
+  [[nodiscard]] Found<Real> emission_of(const Surface<Real>& s, const Receiver<Real>& from,
+                                        const Vec3<Real>& d, Real distance, Probe& probe) const {
     const std::uint32_t emitter = scene.meshes[s.mesh].emitter;
     if (emitter == none) return {};
     const auto& light = std::get<AreaLight<Real>>(lights_[emitter]);
+    if (!tree_.empty()) {
+      const std::size_t source = source_of_[emitter][light.piece_of(s.index)];
+      const Real p = source == no_source ? Real(0) : tree_.probability(source, from, probe);
+      return {emitter, light.emission(s, d, probe),
+              light.pdf_in_piece(s, d, distance) * p * (1 - environment_share(from, probe))};
+    }
     return {emitter, light.emission(s, d, probe),
             light.pdf(s, d, distance) * static_cast<Real>(choice_.probability(emitter))};
   }
 
-  /// What a ray finds that leaves the scene.
+  /// What a ray from a receiver finds that leaves the scene.
   template <typename Probe>
-  [[nodiscard]] Found<Real> emission_from_afar(const Vec3<Real>& d, Probe& probe) const {
+  [[nodiscard]] Found<Real> emission_from_afar(const Receiver<Real>& from, const Vec3<Real>& d,
+                                               Probe& probe) const {
     if (environment_ == none) return {};
     Found<Real> found = std::get<Environment<Real>>(lights_[environment_]).find(d, probe);
     found.emitter = environment_;
-    found.pdf *= static_cast<Real>(choice_.probability(environment_));
+    found.pdf *= tree_.empty() ? static_cast<Real>(choice_.probability(environment_))
+                               : environment_share(from, probe);
     return found;
   }
 
@@ -99,6 +116,80 @@ class World {
   PerspectiveCamera<Real> camera;
 
  private:
+  static constexpr std::size_t no_source = static_cast<std::size_t>(-1);
+
+  /// A source of the tree: a piece of a mesh, or a point light.
+  struct Origin {
+    std::size_t emitter;
+    std::size_t piece;
+  };
+
+  void plant_tree() {
+    std::vector<LightSource> sources;
+    std::vector<double> weights;
+    source_of_.resize(lights_.size());
+    const auto add = [&](const LightSource& source, double weight, const Origin& origin) {
+      source_of_[origin.emitter].push_back(source.energy > 0 ? sources.size() : no_source);
+      if (!(source.energy > 0)) return;
+      sources.push_back(source);
+      weights.push_back(weight);
+      origins_.push_back(origin);
+    };
+    for (std::size_t e = 0; e < lights_.size(); ++e) {
+      if (const auto* point = std::get_if<PointSource<Real>>(&lights_[e])) {
+        add(point->source(), 1, {e, 0});
+      } else if (const auto* area = std::get_if<AreaLight<Real>>(&lights_[e])) {
+        for (std::size_t p = 0; p < area->piece_count(); ++p)
+          add(area->source(p), area->piece_area(p), {e, p});
+      }
+    }
+    const double sky =
+        environment_ == none ? 0 : std::get<Environment<Real>>(lights_[environment_]).irradiance();
+    if (sources.empty() || sources.size() + (sky > 0 ? 1 : 0) < 2) return;
+    tree_ = LightChooser(sources, weights);
+    sky_ = static_cast<Real>(sky / tree_.energy());
+  }
+
+  /// Probability of the environment beside the tree.
+  template <typename Probe>
+  [[nodiscard]] Real environment_share(const Receiver<Real>& at, Probe& probe) const {
+    if (!(sky_ > 0)) return 0;
+    const Real others = tree_.importance(at);
+    if (!(others > 0)) return 1;
+    const double share = share_of_first(sky_, probe.nudged(others), 0, probe);
+    return static_cast<Real>(std::clamp(share, 0.125, 0.875));
+  }
+
+  template <typename Probe>
+  [[nodiscard]] EmitterSample<Real> sample_by_contribution(const Surface<Real>& from,
+                                                           const Receiver<Real>& at,
+                                                           EmitterNumbers numbers,
+                                                           Probe& probe) const {
+    const Real sky = environment_share(at, probe);
+    const TwoWayChoice choice(static_cast<double>(sky));
+    if (sky > 0) {
+      const bool is_sky = choice.is_first(numbers.u);
+      numbers.u = choice.remainder(is_sky, numbers.u, numbers.first_fill);
+      if (is_sky) {
+        EmitterSample<Real> s = sample_emitter(environment_, from, numbers, probe);
+        s.pdf *= sky;
+        return s;
+      }
+    }
+    const auto chosen = tree_.choose(at, numbers.u, numbers.first_fill, numbers.second_fill, probe);
+    if (!(chosen.probability > 0)) return {};
+    const Origin& origin = origins_[chosen.source];
+    numbers.u = chosen.remainder;
+    const auto* area = std::get_if<AreaLight<Real>>(&lights_[origin.emitter]);
+    EmitterSample<Real> s =
+        area == nullptr
+            ? std::get<PointSource<Real>>(lights_[origin.emitter]).sample(from, numbers, probe)
+            : area->sample_piece(origin.piece, numbers.u, numbers.v, from, probe);
+    s.emitter = origin.emitter;
+    s.pdf *= chosen.probability * (1 - sky);
+    return s;
+  }
+
   using Light = std::variant<AreaLight<Real>, Environment<Real>, PointSource<Real>>;
 
   /// Returns its power.
@@ -121,6 +212,10 @@ class World {
   std::deque<Light> lights_;  ///< by emitter
   std::uint32_t environment_ = none;
   Choice choice_;
+  LightChooser tree_;                                ///< empty where emitters are chosen otherwise
+  std::vector<Origin> origins_;                      ///< of the tree's sources
+  std::vector<std::vector<std::size_t>> source_of_;  ///< of each emitter's pieces
+  Real sky_ = 0;  ///< the environment's irradiance over the tree's energy
 };
 
 }  // namespace facet::reference

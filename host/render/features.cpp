@@ -66,6 +66,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_EMITTER_MASK] = emitter_mask;
   c[shared::SPEC_SEVERAL_EMITTERS] = several_emitters ? 1 : 0;
   c[shared::SPEC_EMITTER_PIECES] = emitter_pieces;
+  c[shared::SPEC_LIGHT_TREE] = light_tree ? 1 : 0;
   c[shared::SPEC_SHADING_NORMALS] = shading_normals ? 1 : 0;
   c[shared::SPEC_INTEGRATOR] = static_cast<std::uint32_t>(integrator.type.kernel);
   c[shared::SPEC_EMITTER_SAMPLING] = integrator.type.emitter_sampling ? 1 : 0;
@@ -98,6 +99,7 @@ std::vector<std::string> Features::names() const {
       list.emplace_back(integrator.heuristic == Heuristic::power ? "power heuristic"
                                                                  : "balance heuristic");
     }
+    if (light_tree) list.emplace_back("light tree");
     if (roulette) list.emplace_back("roulette");
   }
   if (sampler != Sampler::independent) list.push_back("sampler " + std::string(name_of(sampler)));

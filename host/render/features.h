@@ -21,6 +21,7 @@ struct Features {
   bool several_emitters = false;
   /// Bit 0: single triangles, bit 1: two as one. Packing finds out; find_features leaves it 0.
   std::uint32_t emitter_pieces = 0;
+  bool light_tree = false;  ///< emitters are chosen by one; packing finds out, too
   bool roulette = false;
   bool variance = false;
   bool negative_filter = false;  ///< the reconstruction filter is negative in parts

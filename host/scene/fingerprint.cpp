@@ -128,7 +128,7 @@ class Hash {
     add(filter);
   }
   void add(const Integrator& integrator) {
-    const auto& [type, max_depth, heuristic, position, energy] = integrator;
+    const auto& [type, max_depth, heuristic, selection, position, energy] = integrator;
     add(position);
     add(energy);
   }

@@ -31,6 +31,7 @@ struct Integrator {
   IntegratorType type{};
   int max_depth = -1;  ///< surface interactions, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
+  EmitterSelection emitter_selection = EmitterSelection::contribution;
   vec3 position{0};  ///< of the light of `simple`
   Color energy{1};   ///< of that light, W
 
@@ -45,6 +46,9 @@ struct Integrator {
     visit("maxDepth", p.max_depth, Count{-1, 1 << 30}, "surface interactions, -1: unlimited");
     visit("heuristic", p.heuristic, Choice{heuristic_words},
           "MIS weights; power: beta = 2, Veach and Guibas 1995");
+    visit("emitterSelection", p.emitter_selection, Choice{emitter_selection_words},
+          "of an emitter sample: by what an emitter and its triangle can contribute to the shaded "
+          "point, by the emitter's power, or each as often");
   }
 
   /// Most surface interactions under both limits, -1: unlimited.

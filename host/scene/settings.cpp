@@ -42,6 +42,7 @@ Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
     integrator.max_depth = *request.max_depth;
   }
   if (request.heuristic) integrator.heuristic = *request.heuristic;
+  if (request.emitter_selection) integrator.emitter_selection = *request.emitter_selection;
   return integrator;
 }
 
@@ -97,7 +98,6 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   s.crop = crop_of(s.size, request);
   s.samples = samples_of(scene, request);
   s.seed = request.seed.value_or(scene.seed);
-  s.emitter_selection = request.emitter_selection;
   s.masking = request.masking;
   s.sampling = request.sampling;
   s.variance = request.variance;
@@ -135,7 +135,7 @@ RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
   r.seed = settings.seed;
   r.max_depth = settings.integrator.interaction_limit();
   r.heuristic = settings.integrator.heuristic;
-  r.emitter_selection = settings.emitter_selection;
+  r.emitter_selection = settings.integrator.emitter_selection;
   r.masking = settings.masking;
   r.filter = describe(scene.camera.filter);
   r.fingerprint = fingerprint(scene);

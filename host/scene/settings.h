@@ -13,7 +13,6 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   Integrator integrator;
   Sampler sampler = Sampler::independent;
-  EmitterSelection emitter_selection = EmitterSelection::power;
   std::optional<Masking> masking;  ///< instead of that of the scene's BSDFs
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares

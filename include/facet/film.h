@@ -58,7 +58,7 @@ struct RenderRecord {
   std::uint32_t seed = 0;
   int max_depth = -1;  ///< surface interactions of a path, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
-  EmitterSelection emitter_selection = EmitterSelection::power;
+  EmitterSelection emitter_selection = EmitterSelection::contribution;
   std::optional<Masking> masking;  ///< where the caller replaced the scene's
   std::string filter;              ///< reconstruction filter and its parameters
   std::uint64_t fingerprint =

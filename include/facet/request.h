@@ -33,8 +33,9 @@ struct ImageSize {
 /// Light Transport Simulation", 1997, 9.2).
 enum class Heuristic { balance, power };
 
-/// How the emitter of a light sample is chosen.
-enum class EmitterSelection { uniform, power };
+/// How the emitter of a light sample is chosen: each as often; by power; or it and its triangle by
+/// what they can contribute to the shaded point, through a light tree.
+enum class EmitterSelection { uniform, power, contribution };
 
 /// Smith's masking function of Beckmann's distribution: its exact form, or the rational
 /// approximation of B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
@@ -79,7 +80,7 @@ struct RenderRequest {
   std::optional<std::uint32_t> seed = {};        ///< another seed gives another estimate
   std::optional<Heuristic> heuristic = {};
   std::optional<Masking> masking = {};  ///< of every rough BSDF
-  EmitterSelection emitter_selection = EmitterSelection::power;
+  std::optional<EmitterSelection> emitter_selection = {};
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares, from which the error can be estimated
   ProgressCallback progress = {};

@@ -19,11 +19,16 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 
-/// Density, sr^-1, of sampling the point of s at the given distance along d, once this emitter is
-/// chosen. s lies on the emitter.
-float area_pdf(EmitterRecord e, Surface s, vec3 d, float distance) {
+/// The record of the triangle of an emitter that s lies on.
+EmitterTriangle emitter_triangle_of(EmitterRecord e, Surface s) {
+  uint i = e.first_triangle + (s.index - e.first_index);
+  return fetch_emitter_triangle(LIGHT_TREE ? fetch_emitter_place(i) : i);
+}
+
+/// Density, sr^-1, of sampling the point of s at the given distance along d, by the density of the
+/// points of its triangle, m^-2.
+float area_pdf(float density, Surface s, vec3 d, float distance) {
   float c = abs(dot3(s.ng, d));
-  float density = fetch_emitter_triangle(e.first_triangle + (s.index - e.first_index)).density;
   // Finite, so that the MIS weight of a vanishing emitter is no quotient of infinities.
   return c > 0.0 ? min((distance * density) * (distance / c), 1.0e37) : 0.0;
 }
@@ -35,6 +40,7 @@ FACET_DEFINE_CHOICE(choose_emitter_triangle, FACET_TRIANGLE_COUNT)
 struct TrianglePoint {
   uint triangle;  // place in the BVH
   vec2 b;         // barycentric weights of its second and third vertex
+  float density;  // m^-2
 };
 
 /// The point (u, v) of two triangles that have an edge in common.
@@ -45,14 +51,14 @@ TrianglePoint point_of_two(EmitterTriangle first, EmitterTriangle second, vec2 u
       in_first ? vec3(1.0 - u.x - u.y, u.x, u.y) : vec3(u.x + u.y - 1.0, 1.0 - u.x, 1.0 - u.y);
   uint corner = in_first ? first.corner : second.corner;
   vec2 b = corner == 0u ? weights.yz : (corner == 1u ? weights.xy : weights.zx);
-  return TrianglePoint(in_first ? first.triangle : second.triangle, b);
+  return TrianglePoint(in_first ? first.triangle : second.triangle, b,
+                       in_first ? first.density : second.density);
 }
 
-/// A point of the emitter; u, v: words, fill: that of u.
-TrianglePoint area_point(EmitterRecord e, uint u, uint v, uint fill) {
-  uint first = e.first_triangle;
+/// A point of some emitter triangles; u, v: words, fill: that of u.
+TrianglePoint area_point(uint first, uint count, uint u, uint v, uint fill) {
   uint word = choice_word(u);
-  uint chosen = choose_emitter_triangle(first, first + max(e.triangle_count, 1u) - 1u, word);
+  uint chosen = choose_emitter_triangle(first, first + max(count, 1u) - 1u, word);
   EmitterTriangle triangle = fetch_emitter_triangle(chosen);
   EmitterTriangle before = fetch_emitter_triangle(chosen > first ? chosen - 1u : chosen);
   uint begin = chosen > first ? before.cumulative : 0u;
@@ -60,17 +66,23 @@ TrianglePoint area_point(EmitterRecord e, uint u, uint v, uint fill) {
   vec2 square = vec2(unit_float(u), unit_float(v));
   bool is_pair = EMITTER_PIECES == 2u || (EMITTER_PIECES == 3u && triangle.corner != NO_CORNER);
   if (is_pair) return point_of_two(before, triangle, square);
-  return TrianglePoint(triangle.triangle, square_to_triangle(square));
+  return TrianglePoint(triangle.triangle, square_to_triangle(square), triangle.density);
 }
 
-/// from: the shaded surface; u, v: words, fill: that of u.
-EmitterSample area_sample(EmitterRecord e, Surface from, uint u, uint v, uint fill) {
-  TrianglePoint point = area_point(e, u, v, fill);
+/// A direction to one of the emitter triangles [first, first + count). e: their emitter, where
+/// there is no light tree. from: the shaded surface; u, v: words, fill: that of u.
+EmitterSample area_sample(EmitterRecord e, uint first, uint count, Surface from, uint u, uint v,
+                          uint fill) {
+  TrianglePoint point = area_point(first, count, u, v, fill);
   Surface s = surface_at(point.triangle, point.b.x, point.b.y);
   vec3 to = s.position - from.position;
   EmitterSample r;
   r.d = normalize_safe(to);
-  r.pdf = area_pdf(e, s, r.d, dot3(to, r.d));
+  r.pdf = area_pdf(point.density, s, r.d, dot3(to, r.d));
+  if (LIGHT_TREE) {
+    uint emitter = fetch_mesh(s.mesh).emitter;
+    e = fetch_emitter(emitter == NONE ? 0u : emitter);
+  }
   r.radiance = r.pdf > 0.0 ? area_eval(e, s, r.d) : vec3(0.0);
   // Both ends of the shadow ray are moved off their surfaces; this one must also cover the error of
   // a test from afar.

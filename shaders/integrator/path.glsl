@@ -74,8 +74,8 @@ void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cos
 }
 
 /// The ray that continues the path from s at interaction k along a sample of the BSDF.
-void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, uint roulette_bits,
-                   uint k) {
+void continue_path(inout PathStep step, Surface s, Receiver at, Frame shading, BsdfSample b,
+                   uint roulette_bits, uint k) {
   vec3 throughput = step.path.throughput.rgb * b.weight;
   step.path.radiance.w *= b.eta2;
   float q = 1.0;
@@ -92,25 +92,32 @@ void continue_path(inout PathStep step, Surface s, Frame shading, BsdfSample b, 
   step.path.throughput = vec4(throughput / survival.probability, b.pdf);
   step.next.origin = vec4(offset_ray_origin(s.position, s.magnitude, s.ng, d), 0.0);
   step.next.direction = vec4(d, LARGEST);
+  if (LIGHT_TREE) {
+    vec2 coded = coded_normal(at.normal);
+    step.next.origin.w = coded.x;
+    step.next.direction.w = coded.y;
+  }
   step.alive = step.alive && survives && !dark;
 }
 
 /// The emitter sample of interaction k: of one emitter, or of the pass' where every one is sampled.
-EmitterSample emitter_sample(Surface s, SampleId id, uint k) {
-  if (!EVERY_EMITTER) return sample_emitters(s, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
+EmitterSample emitter_sample(Surface s, Receiver at, SampleId id, uint k) {
+  if (!EVERY_EMITTER)
+    return sample_emitters(s, at, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
   uint block = BLOCK_EVERY_EMITTER + (k - 1u) * frame.emitter_count + pass_constants.emitter;
   return sample_emitter(fetch_emitter(pass_constants.emitter), s, random_block(id, block));
 }
 
-/// Interaction k = bounce + 1 of a path whose ray has found `hit`.
+/// Interaction k = bounce + 1 of a path whose ray, as it was queued, has found `hit`.
 PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, uint bounce) {
   PathStep step = unchanged_path(path, ray);
   bool missed = hit.triangle == NONE;
   vec3 d = ray.direction.xyz;
   Surface s = surface_at(missed ? 0u : hit.triangle, hit.b1, hit.b2);
-  FoundEmission found = emission_of_surface(s, d, hit.t);
+  Receiver from = receiver_of(ray);
+  FoundEmission found = emission_of_surface(s, d, hit.t, from);
   FoundEmission sky =
-      HAS_EMITTER(environment) ? emission_of_environment(d) : FoundEmission(vec3(0.0), 0.0);
+      HAS_EMITTER(environment) ? emission_of_environment(d, from) : FoundEmission(vec3(0.0), 0.0);
   found.radiance = missed ? sky.radiance : found.radiance;
   found.pdf = missed ? sky.pdf : found.pdf;
   step.path.radiance.rgb +=
@@ -124,10 +131,11 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   BsdfRecord bsdf = textured_bsdf(fetch_bsdf(fetch_mesh(s.mesh).bsdf), s.uv);
   bool visible = wo.z > 0.0 || HAS_FLAG(bsdf.flags, BSDF_TRANSMITS);
   bool scatters = !missed && visible;
+  Receiver at = Receiver(s.position, HAS_FLAG(bsdf.flags, BSDF_TRANSMITS) ? vec3(0.0) : s.ns);
   EmitterSample e;
   vec3 wi = wo;
   if (EMITTER_SAMPLING) {
-    e = emitter_sample(s, id, k);
+    e = emitter_sample(s, at, id, k);
     wi = to_local(shading, e.d);
   }
   uvec4 bits = random_block(id, bounce_block(k) + BOUNCE_BSDF);
@@ -141,6 +149,6 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   // delta lobes only.
   bool delta = HAS_FLAG(bsdf.flags, BSDF_DELTA);
   step.alive = scatters && (MATERIAL_SAMPLING || delta || (k < frame.max_depth && !EVERY_EMITTER));
-  continue_path(step, s, shading, answers.next, bits[BSDF_ROULETTE], k);
+  continue_path(step, s, at, shading, answers.next, bits[BSDF_ROULETTE], k);
   return step;
 }

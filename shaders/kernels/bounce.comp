@@ -68,10 +68,11 @@ void main() {
   if (slot == NONE) return;
   SampleId id = slot_sample(slot);
   PathRecord path = path_of(slot);
-  RayRecord ray = ray_of(slot, id);
+  RayRecord queued = ray_of(slot, id);
+  RayRecord ray = LIGHT_TREE && !CAMERA_BOUNCE ? without_normal(queued) : queued;
   bool complete = true;
   HitRecord hit = hit_of(slot, ray, complete);
-  PathStep step = shade(path, ray, hit, id);
+  PathStep step = shade(path, queued, hit, id);
   if (!is_last_round()) step.path = path;
   if (step.has_shadow) {
     bool shadow_complete;

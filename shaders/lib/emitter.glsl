@@ -2,6 +2,7 @@
 #ifndef FACET_EMITTER_GLSL
 #define FACET_EMITTER_GLSL
 #include "choice.glsl"
+#include "light_tree.glsl"
 #include "random.glsl"
 #include "records.glsl"
 #include "specialization.glsl"
@@ -16,7 +17,8 @@ FACET_DEFINE_CHOICE(choose_emitter, FACET_EMITTER_COUNT)
 EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
   EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true, false);
   if (IS_EMITTER(e.type, area)) {
-    s = area_sample(e, from, bits[EMITTER_U], bits[EMITTER_V], bits[EMITTER_SECOND_FILL]);
+    s = area_sample(e, e.first_triangle, e.triangle_count, from, bits[EMITTER_U], bits[EMITTER_V],
+                    bits[EMITTER_SECOND_FILL]);
   }
   if (IS_EMITTER(e.type, environment)) {
     s = environment_sample(bits[EMITTER_U], bits[EMITTER_V], bits[EMITTER_SECOND_FILL],
@@ -28,8 +30,39 @@ EmitterSample sample_emitter(EmitterRecord e, Surface from, uvec4 bits) {
   return s;
 }
 
+/// The same towards what the light tree or, beside it, the environment sends to the receiver.
+EmitterSample sample_light_tree(Surface from, Receiver at, uvec4 bits) {
+  EmitterSample s = EmitterSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, vec3(0.0), true, false);
+  uint word = bits[EMITTER_U];
+  float share = HAS_EMITTER(environment) ? environment_share(at) : 0.0;
+  bool sky = HAS_EMITTER(environment) && choose_first(word, share, bits[EMITTER_FIRST_FILL]);
+  bits[EMITTER_U] = word;
+  ChosenLight chosen = choose_light(at, bits[EMITTER_U], bits[EMITTER_FIRST_FILL]);
+  LightNode leaf = chosen.node;
+  bool is_point = HAS_EMITTER(pointlight) && leaf.count == LIGHT_POINT;
+  if (HAS_EMITTER(area)) {
+    // Where the tree has found nothing, any triangle is as good.
+    bool has = leaf.count > 0u && !is_point && !sky;
+    s = area_sample(fetch_emitter(0u), has ? leaf.first : 0u, has ? leaf.count : 1u, from,
+                    bits[EMITTER_U], bits[EMITTER_V], bits[EMITTER_SECOND_FILL]);
+  }
+  if (HAS_EMITTER(pointlight)) {
+    EmitterSample p = pointlight_sample(fetch_emitter(is_point ? leaf.first : 0u), from);
+    if (is_point || !HAS_EMITTER(area)) s = p;
+  }
+  s.pdf *= (1.0 - share) * chosen.probability;
+  if (HAS_EMITTER(environment)) {
+    EmitterSample e = environment_sample(word, bits[EMITTER_V], bits[EMITTER_SECOND_FILL],
+                                         bits[EMITTER_FIRST_FILL] ^ bits[EMITTER_SECOND_FILL]);
+    e.pdf *= share;
+    if (sky) s = e;
+  }
+  return s;
+}
+
 /// A direction from a surface towards some emitter; pdf includes the choice of the emitter.
-EmitterSample sample_emitters(Surface from, uvec4 bits) {
+EmitterSample sample_emitters(Surface from, Receiver at, uvec4 bits) {
+  if (LIGHT_TREE) return sample_light_tree(from, at, bits);
   uint word = choice_word(bits[EMITTER_U]);
   if (!SEVERAL_EMITTERS) {
     bits[EMITTER_U] = word;
@@ -45,27 +78,34 @@ EmitterSample sample_emitters(Surface from, uvec4 bits) {
 }
 
 /// Emission found by a ray, and the density with which sample_emitters would have sampled its
-/// direction.
+/// direction from where it comes from.
 struct FoundEmission {
   vec3 radiance;
   float pdf;  // sr^-1
 };
 
-FoundEmission emission_of_surface(Surface s, vec3 d, float distance) {
+FoundEmission emission_of_surface(Surface s, vec3 d, float distance, Receiver from) {
   FoundEmission f = FoundEmission(vec3(0.0), 0.0);
   if (!HAS_EMITTER(area)) return f;
   uint index = fetch_mesh(s.mesh).emitter;
   EmitterRecord e = fetch_emitter(index == NONE ? 0u : index);
   bool emits = index != NONE;
   f.radiance = emits ? area_eval(e, s, d) : vec3(0.0);
-  f.pdf = emits ? area_pdf(e, s, d, distance) * e.probability : 0.0;
+  // Nothing asks by what density the camera would have sampled.
+  if (CAMERA_BOUNCE) return f;
+  EmitterTriangle triangle = emitter_triangle_of(e, s);
+  float chosen = LIGHT_TREE ? light_probability(emits ? triangle.leaf : 0u, from) : e.probability;
+  if (LIGHT_TREE && HAS_EMITTER(environment)) chosen *= 1.0 - environment_share(from);
+  f.pdf = emits ? area_pdf(triangle.density, s, d, distance) * chosen : 0.0;
   return f;
 }
 
-FoundEmission emission_of_environment(vec3 d) {
+FoundEmission emission_of_environment(vec3 d, Receiver from) {
   if (!HAS_EMITTER(environment)) return FoundEmission(vec3(0.0), 0.0);
-  return FoundEmission(environment_eval(d),
-                       environment_pdf(d) * fetch_emitter(frame.environment_emitter).probability);
+  if (CAMERA_BOUNCE) return FoundEmission(environment_eval(d), 0.0);
+  float chosen =
+      LIGHT_TREE ? environment_share(from) : fetch_emitter(frame.environment_emitter).probability;
+  return FoundEmission(environment_eval(d), environment_pdf(d) * chosen);
 }
 
 #endif

@@ -17,6 +17,8 @@ layout(constant_id = SPEC_EMITTER_MASK) const uint EMITTER_MASK = 0xffffffffu;
 layout(constant_id = SPEC_SEVERAL_EMITTERS) const bool SEVERAL_EMITTERS = true;
 /// Bit 0: some emitter's triangles are sampled by themselves; bit 1: some are, two as one.
 layout(constant_id = SPEC_EMITTER_PIECES) const uint EMITTER_PIECES = 3;
+/// Emitters and their triangles are chosen by a light tree.
+layout(constant_id = SPEC_LIGHT_TREE) const bool LIGHT_TREE = true;
 /// Some mesh has vertex normals.
 layout(constant_id = SPEC_SHADING_NORMALS) const bool SHADING_NORMALS = true;
 /// Shading kernel, id of FACET_INTEGRATOR_KERNEL_LIST.

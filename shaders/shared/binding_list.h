@@ -34,17 +34,19 @@
   X(14, scene, textures, texture, TextureRecord)                    \
   X(15, scene, texels, image_word, uint)                            \
   X(16, scene, albedos, albedo, float)                              \
-  X(17, uniform, frames, frame, FrameRecord)                        \
-  X(18, state, rays, ray, RayRecord)                                \
-  X(19, state, hits, hit, HitRecord)                                \
-  X(20, state, paths, path, PathRecord)                             \
-  X(21, state, film, film, FilmRecord)                              \
-  X(22, state, film_squares, film_squares, FilmRecord)              \
-  X(23, storage, queues, queue, uint)                               \
-  X(24, storage, counters, counter, uint)                           \
-  X(25, uniform, evaluations, evaluation, EvaluationRecord)         \
-  X(26, storage, queries, query, QueryRecord)                       \
-  X(27, storage, values, value, vec4)                               \
-  X(28, storage, weights, weight, vec4)
+  X(17, scene, light_nodes, light_node, LightNode)                  \
+  X(18, scene, emitter_places, emitter_place, uint)                 \
+  X(19, uniform, frames, frame, FrameRecord)                        \
+  X(20, state, rays, ray, RayRecord)                                \
+  X(21, state, hits, hit, HitRecord)                                \
+  X(22, state, paths, path, PathRecord)                             \
+  X(23, state, film, film, FilmRecord)                              \
+  X(24, state, film_squares, film_squares, FilmRecord)              \
+  X(25, storage, queues, queue, uint)                               \
+  X(26, storage, counters, counter, uint)                           \
+  X(27, uniform, evaluations, evaluation, EvaluationRecord)         \
+  X(28, storage, queries, query, QueryRecord)                       \
+  X(29, storage, values, value, vec4)                               \
+  X(30, storage, weights, weight, vec4)
 
 #endif

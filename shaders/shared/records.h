@@ -111,8 +111,8 @@ struct EmitterRecord {
   uint type;        // id of emitter_list.h
   uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
                     // (docs/sampling.md)
-  uint
-      first_triangle;  // range of emitter_triangles: all triangles of the mesh, in order of reading
+  uint first_triangle;  // range of emitter_triangles or, where there is a light tree, of
+                        // emitter_places: all triangles of the mesh, in order of reading
   uint triangle_count;
   float probability;  // of being chosen
   uint texture;       // its value is a factor on the radiance; NONE: none
@@ -120,15 +120,39 @@ struct EmitterRecord {
   uint unused1;
 };
 
-/// One triangle of an area emitter's mesh. Two that are sampled as one are chosen by the second's
-/// words; the first has none.
+/// One triangle of an area emitter's mesh, in the order of reading or, where there is a light tree,
+/// of its leaves. Two that are sampled as one are chosen by the second's words; the first has
+/// none.
 struct EmitterTriangle {
   uint cumulative;  // it is chosen by the words below this and not below its predecessor's
   uint triangle;    // its place in the BVH
-  float density;    // of its points, m^-2: the probability of its choice over its area
+  float density;    // of its points, m^-2: the probability of its choice over its area; with a
+                    // light tree, once its leaf is chosen
   uint corner;      // of two, the one that their common edge misses; NO_CORNER: sampled by itself
+  uint leaf;        // of the light tree: index of its node
+  uint unused0;
+  uint unused1;
+  uint unused2;
 };
 FACET_CONSTANT uint NO_CORNER = 3u;
+
+/// A node of the light tree; the root is the first, and siblings lie side by side.
+struct LightNode {
+  vec4 sphere;   // xyz: centre, w: radius of a sphere that holds what emits, world space
+  vec4 cone;     // xyz: axis, w: cosine of the half angle of a cone that holds its normals
+  float energy;  // share of the whole tree's
+  uint parent;   // NONE: the root
+  uint first;  // of a leaf's emitter triangles, or its point light's emitter; else the first child
+  uint count;  // of a leaf's emitter triangles; LIGHT_POINT: a point light; 0: an inner node
+};
+FACET_CONSTANT uint LIGHT_POINT = 0xffffffffu;
+/// Most levels below the root.
+FACET_CONSTANT uint LIGHT_TREE_DEPTH = 60u;
+/// Added to the cosines of an importance: room for rounding, so that nothing that contributes is 0.
+FACET_CONSTANT float LIGHT_SLACK = 1e-4f;
+/// The fill of a level of the tree is the one above it times this, and this more.
+FACET_CONSTANT uint LIGHT_FILL_FACTOR = 747796405u;
+FACET_CONSTANT uint LIGHT_FILL_STEP = 2891336453u;
 
 /// A row of cells of the environment's sampling density; y is the direction's y.
 struct EnvironmentRow {
@@ -164,6 +188,11 @@ struct FrameRecord {
                           // squares stay in range
   vec4 simple_position;   // of the `simple` integrator's light, world space
   vec4 simple_energy;     // rgb: its energy over 4 pi^2
+  float environment_irradiance;  // on a surface that sees all of the half above it, W m^-2, over
+                                 // the energy of the light tree
+  uint unused0;
+  uint unused1;
+  uint unused2;
 };
 
 struct RayRecord {
@@ -246,9 +275,9 @@ namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
 static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 &&
-              sizeof(EmitterTriangle) == 16);
+              sizeof(EmitterTriangle) == 32 && sizeof(LightNode) == 48);
 static_assert(sizeof(TextureRecord) == 48);
-static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 &&
+static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 176 &&
               sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);

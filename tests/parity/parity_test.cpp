@@ -93,10 +93,11 @@ INSTANTIATE_TEST_SUITE_P(Parity, EachBsdf, testing::Range<std::size_t>(0, bsdf_t
 TEST(Parity, holds_for_every_choice_of_the_estimator) {
   Scene scene = busy_scene();
   for (const Heuristic heuristic : {Heuristic::balance, Heuristic::power}) {
-    for (const EmitterSelection selection : {EmitterSelection::power, EmitterSelection::uniform}) {
+    for (const EmitterSelection selection :
+         {EmitterSelection::contribution, EmitterSelection::power, EmitterSelection::uniform}) {
       scene.integrator.heuristic = heuristic;
       RenderSettings settings = whole_image(scene, 4);
-      settings.emitter_selection = selection;
+      settings.integrator.emitter_selection = selection;
       expect_parity(scene, settings);
     }
   }

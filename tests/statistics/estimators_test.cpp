@@ -1,5 +1,6 @@
 // Estimators of the same light agree, cell by cell.
 #include "compare/z_test.h"
+#include "core/words.h"
 #include "support/render.h"
 #include "support/scenes.h"
 
@@ -17,12 +18,12 @@ void shrink(Scene& scene, int width) {
 
 Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, int spp,
                LobeSampling sampling = LobeSampling::visible,
-               EmitterSelection selection = EmitterSelection::power) {
+               EmitterSelection selection = EmitterSelection::contribution) {
   set_integrator(scene, integrator);
   scene.seed = seed;
   RenderSettings settings = whole_image(scene, spp);
   settings.sampling = sampling;
-  settings.emitter_selection = selection;
+  settings.integrator.emitter_selection = selection;
   return render(scene, settings).image;
 }
 
@@ -135,6 +136,32 @@ TEST(EstimatorChoices, area_emitter_and_environment_together) {
   const Image ems = estimate(scene, "direct_ems", 1, 2048);
   expect_agreement(ems, estimate(scene, "direct_mats", 2, 2048), "ems, mats");
   expect_agreement(ems, estimate(scene, "direct_mis", 3, 2048), "ems, mis");
+}
+
+// With a surface that is lit from both sides, and whatever can emit.
+TEST(EstimatorChoices, all_kinds_of_emitters_by_what_they_contribute) {
+  Scene scene = make_scene("path_mis");
+  scene.integrator.max_depth = 3;
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
+           bsdf::RoughSubstrate{Color(0.4F), 0.3F});
+  Mesh pane = make_sphere(2, false);
+  transform(pane, 0.5F, {-0.5F, 0.7F, 0});
+  add_mesh(scene, pane, bsdf::RoughDielectric{Color(0.9F), 0.4F});
+  Mesh lamp = make_sphere(2, false);
+  transform(lamp, 0.2F, {1, 0.6F, 0.5F});
+  add_mesh(scene, lamp, bsdf::Diffuse{}, Color(6, 5, 4));
+  add_mesh(scene, make_quad({0, 1.5F, 0}, {1, 1.5F, 0}, {1, 1.5F, 1}, {0, 1.5F, 1}),
+           bsdf::Diffuse{}, Color(3, 2, 1));
+  scene.emitters.emplace_back(PointLight{{-1, 1.5F, -1}, Color(0.7F)});
+  EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
+  sky.texels[8 * 2 + 3] = Color(3, 3, 3);
+  scene.emitters.emplace_back(sky);
+  set_camera(scene, 24, 50, {-2, 2, -2}, {0, 0.3, 0});
+  const Image mis = estimate(scene, "path_mis", 1, 2048);
+  expect_agreement(mis, estimate(scene, "path_ems", 2, 2048), "mis, ems");
+  for (const EmitterSelection selection : {EmitterSelection::power, EmitterSelection::uniform})
+    expect_agreement(mis, estimate(scene, "path_mis", 3, 2048, LobeSampling::visible, selection),
+                     "contribution, " + word_of(emitter_selection_words, selection));
 }
 
 /// The test itself: it must see a difference of a few standard errors in one image.

@@ -20,6 +20,9 @@ class Environment {
     return 4 * pi<double> * pi<double> * radius * radius * mean_luminance_;
   }
 
+  /// On a surface that sees half of the sphere, all of it as bright as the mean, W m^-2.
+  [[nodiscard]] double irradiance() const { return pi<double> * mean_luminance_; }
+
   /// Radiance from direction d and the density of sampling d.
   template <typename Probe>
   [[nodiscard]] Found<Real> find(const Vec3<Real>& d, Probe& probe) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include "accel/light_tree.h"
 #include "reference/emitter/sample.h"
 #include "reference/surface.h"
 
@@ -15,6 +16,14 @@ class PointSource {
 
   /// Weight of power selection, W of white light.
   [[nodiscard]] double power(const Box& /*bounds*/) const { return power_; }
+
+  /// As a source of a light tree.
+  [[nodiscard]] LightSource source() const {
+    LightSource s;
+    s.box.add(vec3(position_));
+    s.energy = power_ / (4 * std::numbers::pi);
+    return s;
+  }
 
   template <typename Probe>
   [[nodiscard]] EmitterSample<Real> sample(const Surface<Real>& from,

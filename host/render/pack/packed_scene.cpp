@@ -8,8 +8,7 @@
 #include "core/clock.h"
 #include "core/parallel.h"
 #include "render/pack/bsdf_record.h"
-#include "render/pack/choice.h"
-#include "render/pack/emitter_pieces.h"
+#include "render/pack/emitter_table.h"
 #include "render/pack/texture_table.h"
 #include "scene/bsdf/albedo_table.h"
 
@@ -120,104 +119,37 @@ class Packer {
       packed_.pairs[copy.item] = packed_.pairs[copy.original];
   }
 
-  /// Triangles of each area emitter with their cumulative counts and densities; returns the
-  /// emitter's area.
-  double pack_emitter_triangles(std::uint32_t mesh, shared::EmitterRecord& record) {
-    const std::vector<EmitterPiece> pieces = emitter_pieces(scene_.meshes[mesh]);
-    std::vector<double> weights;
-    double total = 0;
-    for (const EmitterPiece& piece : pieces) {
-      weights.push_back(piece.weight);
-      total += piece.area;
-    }
-    const std::vector<std::uint32_t> counts = cumulative_counts(weights);
-    record.first_triangle = static_cast<std::uint32_t>(packed_.emitter_triangles.size());
-    record.triangle_count = static_cast<std::uint32_t>(counts.size());
-    record.first_index = first_id_[mesh];
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      const EmitterPiece& piece = pieces[i];
-      const bool alone = piece.corner == shared::NO_CORNER;
-      const std::size_t chosen = piece.weight > 0 ? i : std::min(i + 1, counts.size() - 1);
-      const double probability = choice_probability(counts, chosen) / (alone ? 1 : 2);
-      const double density = piece.area > 0 ? probability / piece.area : 0;
-      packed_.emitter_triangles.push_back(
-          {counts[i], 0, static_cast<float>(std::min(density, 1e38)), piece.corner});
-    }
+  /// Places in the BVH of a mesh's triangles; 0 for those without area.
+  [[nodiscard]] std::vector<std::uint32_t> places_of(std::uint32_t mesh) const {
+    std::vector<std::uint32_t> places(scene_.meshes[mesh].position_indices.size(), 0);
     for (std::size_t s = first_source_[mesh]; s < first_source_[mesh + 1]; ++s)
-      packed_.emitter_triangles[record.first_triangle + sources_[s].index].triangle =
-          packed_.bvh.places[s];
-    // Kernels without branches look at the first triangle even of an emitter that has none and is
-    // never chosen.
-    if (counts.empty()) record.first_triangle = 0;
-    return total;
-  }
-
-  /// Returns the weight with which the emitter is chosen under power selection: its power in W.
-  double pack_area_emitter(const AreaEmitter& e, shared::EmitterRecord& record) {
-    const double area = pack_emitter_triangles(e.mesh, record);
-    record.radiance = glm::vec4(e.radiance, 0);
-    record.texture = e.texture;
-    return std::numbers::pi * area * luminance(scene_.mean_radiance(e));
-  }
-
-  static double pack_point_light(const PointLight& e, shared::EmitterRecord& record) {
-    record.radiance = glm::vec4(e.intensity, 0);
-    record.position = glm::vec4(e.position, 0);
-    return 4 * std::numbers::pi * luminance(e.intensity);
-  }
-
-  double pack_emitter(const Emitter& emitter, shared::EmitterRecord& record) {
-    if (const auto* area = std::get_if<AreaEmitter>(&emitter))
-      return pack_area_emitter(*area, record);
-    if (const auto* point = std::get_if<PointLight>(&emitter))
-      return pack_point_light(*point, record);
-    return pack_environment(std::get<EnvironmentEmitter>(emitter));
-  }
-
-  double pack_environment(const EnvironmentEmitter& e) {
-    EnvironmentTable table = make_environment_table(e);
-    packed_.environment_texels = std::move(table.texels);
-    packed_.environment_rows = std::move(table.rows);
-    packed_.environment_columns = std::move(table.columns);
-    packed_.frame.environment_width = static_cast<std::uint32_t>(e.width);
-    packed_.frame.environment_height = static_cast<std::uint32_t>(e.height);
-    const double radius =
-        sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
-    return 4 * std::numbers::pi * std::numbers::pi * radius * radius * table.mean_luminance;
-  }
-
-  /// Turns powers into the weights of the scene's way to choose emitters (docs/sampling.md,
-  /// "Emitter sample").
-  void select_emitters(std::vector<double>& weights) const {
-    double total = 0;
-    double positive = 0;
-    for (const double power : weights) {
-      total += power;
-      if (power > 0) ++positive;
-    }
-    const bool by_power = settings_.emitter_selection == EmitterSelection::power;
-    for (double& weight : weights) {
-      if (weight > 0) weight = (by_power ? weight / total : 0) + 1 / positive;
-    }
+      places[sources_[s].index] = packed_.bvh.places[s];
+    return places;
   }
 
   void pack_emitters() {
-    std::vector<double> weights;
-    for (const Emitter& emitter : scene_.emitters) {
-      shared::EmitterRecord record{};
-      record.type = static_cast<std::uint32_t>(emitter.index());
-      record.texture = none;
-      weights.push_back(pack_emitter(emitter, record));
-      packed_.emitters.push_back(record);
+    const double radius =
+        sources_.empty() ? 1.0 : 0.5 * glm::length(dvec3(packed_.bvh.bounds.extent()));
+    EmitterTable table = make_emitter_table(scene_, settings_, radius,
+                                            [this](std::uint32_t mesh) { return places_of(mesh); });
+    for (std::size_t e = 0; e < table.emitters.size(); ++e) {
+      const auto* area = std::get_if<AreaEmitter>(&scene_.emitters[e]);
+      if (area != nullptr) table.emitters[e].first_index = first_id_[area->mesh];
     }
-    select_emitters(weights);
-    const std::vector<std::uint32_t> counts = cumulative_counts(weights);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      packed_.emitters[i].cumulative = counts[i];
-      packed_.emitters[i].probability = static_cast<float>(choice_probability(counts, i));
-    }
+    packed_.emitters = std::move(table.emitters);
+    packed_.emitter_triangles = std::move(table.triangles);
+    packed_.emitter_places = std::move(table.places);
+    packed_.light_nodes = std::move(table.light_nodes);
+    packed_.environment_texels = std::move(table.environment.texels);
+    packed_.environment_rows = std::move(table.environment.rows);
+    packed_.environment_columns = std::move(table.environment.columns);
+    packed_.frame.environment_irradiance = table.environment_irradiance;
     packed_.frame.emitter_count = static_cast<std::uint32_t>(packed_.emitters.size());
     packed_.frame.environment_emitter = scene_.environment();
+    if (scene_.environment() == none) return;
+    const auto& sky = std::get<EnvironmentEmitter>(scene_.emitters[scene_.environment()]);
+    packed_.frame.environment_width = static_cast<std::uint32_t>(sky.width);
+    packed_.frame.environment_height = static_cast<std::uint32_t>(sky.height);
   }
 
   void pack_albedos() {
@@ -293,6 +225,7 @@ PackedScene pack_scene(const Scene& scene, const RenderSettings& settings) {
   packed.features = find_features(scene, settings);
   for (const shared::EmitterTriangle& t : packed.emitter_triangles)
     packed.features.emitter_pieces |= t.corner == shared::NO_CORNER ? 1U : 2U;
+  packed.features.light_tree = !packed.light_nodes.empty();
   return packed;
 }
 
