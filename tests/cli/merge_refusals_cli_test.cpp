@@ -12,7 +12,7 @@ TEST_F(MergeCliTest, PartsOfDifferentRendersAreRefused) {
       {{"--integrator", "path_mats"}, {"integrator is path_mats", "is path_mis"}},
       {{"--max-depth", "3"}, {"maximum depth is 3", "is -1"}},
       {{"--heuristic", "power"}, {"heuristic is power", "is balance"}},
-      {{"--emitter-selection", "uniform"}, {"emitter selection is uniform", "is power"}},
+      {{"--emitter-selection", "uniform"}, {"emitter selection is uniform", "is contribution"}},
       {{"--sampler", "sobol"}, {"sampler is sobol", "is independent"}},
       {{"--sampling", "ndf"}, {"lobe sampling is ndf", "is visible"}},
       {{"--backend", "reference"}, {"backend is reference", "is vulkan"}},
