@@ -19,10 +19,12 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 
-/// The record of the triangle of an emitter that s lies on.
-EmitterTriangle emitter_triangle_of(EmitterRecord e, Surface s) {
+/// Where the triangle of an emitter that s lies on has its record, and in which leaf of a light tree
+/// it is.
+EmitterPlace emitter_place_of(EmitterRecord e, Surface s) {
   uint i = e.first_triangle + (s.index - e.first_index);
-  return fetch_emitter_triangle(LIGHT_TREE ? fetch_emitter_place(i) : i);
+  if (LIGHT_TREE) return fetch_emitter_place(i);
+  return EmitterPlace(i, NONE, 0u, 0u);
 }
 
 /// Density, sr^-1, of sampling the point of s at the given distance along d, by the density of the

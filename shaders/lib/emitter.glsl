@@ -93,10 +93,11 @@ FoundEmission emission_of_surface(Surface s, vec3 d, float distance, Receiver fr
   f.radiance = emits ? area_eval(e, s, d) : vec3(0.0);
   // Nothing asks by what density the camera would have sampled.
   if (CAMERA_BOUNCE) return f;
-  EmitterTriangle triangle = emitter_triangle_of(e, s);
-  float chosen = LIGHT_TREE ? light_probability(emits ? triangle.leaf : 0u, from) : e.probability;
+  EmitterPlace place = emitter_place_of(e, s);
+  float chosen = LIGHT_TREE ? light_probability(emits ? place.leaf : 0u, from) : e.probability;
   if (LIGHT_TREE && HAS_EMITTER(environment)) chosen *= 1.0 - environment_share(from);
-  f.pdf = emits ? area_pdf(triangle.density, s, d, distance) * chosen : 0.0;
+  float density = fetch_emitter_triangle(place.triangle).density;
+  f.pdf = emits ? area_pdf(density, s, d, distance) * chosen : 0.0;
   return f;
 }
 

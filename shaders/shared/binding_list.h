@@ -35,7 +35,7 @@
   X(15, scene, texels, image_word, uint)                            \
   X(16, scene, albedos, albedo, float)                              \
   X(17, scene, light_nodes, light_node, LightNode)                  \
-  X(18, scene, emitter_places, emitter_place, uint)                 \
+  X(18, scene, emitter_places, emitter_place, EmitterPlace)         \
   X(19, uniform, frames, frame, FrameRecord)                        \
   X(20, state, rays, ray, RayRecord)                                \
   X(21, state, hits, hit, HitRecord)                                \

@@ -129,12 +129,16 @@ struct EmitterTriangle {
   float density;    // of its points, m^-2: the probability of its choice over its area; with a
                     // light tree, once its leaf is chosen
   uint corner;      // of two, the one that their common edge misses; NO_CORNER: sampled by itself
-  uint leaf;        // of the light tree: index of its node
-  uint unused0;
-  uint unused1;
-  uint unused2;
 };
 FACET_CONSTANT uint NO_CORNER = 3u;
+
+/// Where a triangle of an area emitter is in the light tree's order.
+struct EmitterPlace {
+  uint triangle;  // index of its record among emitter_triangles
+  uint leaf;      // index of its node
+  uint unused0;
+  uint unused1;
+};
 
 /// A node of the light tree; the root is the first, and siblings lie side by side.
 struct LightNode {
@@ -275,7 +279,7 @@ namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
 static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 &&
-              sizeof(EmitterTriangle) == 32 && sizeof(LightNode) == 48);
+              sizeof(EmitterTriangle) == 16 && sizeof(LightNode) == 48 && sizeof(EmitterPlace) == 16);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 176 &&
               sizeof(RayRecord) == 32);

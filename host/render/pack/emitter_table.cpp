@@ -172,7 +172,7 @@ class Maker {
     const LightTree tree = build_light_tree(sources_);
     // Those that do not shine follow, so that each has a place.
     std::vector<shared::EmitterTriangle> ordered;
-    table_.places.assign(table_.triangles.size(), none);
+    table_.places.assign(table_.triangles.size(), {none, 0, 0, 0});
     for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
       const LightTree::Node& node = tree.nodes[n];
       shared::LightNode packed{glm::vec4(node.center, node.radius),
@@ -185,8 +185,8 @@ class Maker {
       table_.light_nodes.push_back(packed);
     }
     for (std::size_t i = 0; i < table_.places.size(); ++i) {
-      if (table_.places[i] != none) continue;
-      table_.places[i] = static_cast<std::uint32_t>(ordered.size());
+      if (table_.places[i].triangle != none) continue;
+      table_.places[i].triangle = static_cast<std::uint32_t>(ordered.size());
       ordered.push_back(table_.triangles[i]);
     }
     table_.triangles = std::move(ordered);
@@ -207,9 +207,8 @@ class Maker {
       const std::size_t last = table_.emitters[origin.emitter].first_triangle + origin.triangle;
       const bool alone = areas_[last].corner == shared::NO_CORNER;
       for (std::size_t i = last - (alone ? 0 : 1); i <= last; ++i) {
-        table_.places[i] = static_cast<std::uint32_t>(ordered.size());
+        table_.places[i] = {static_cast<std::uint32_t>(ordered.size()), leaf, 0, 0};
         ordered.push_back(table_.triangles[i]);
-        ordered.back().leaf = leaf;
         pieces.push_back(areas_[i]);
       }
     }

@@ -11,9 +11,8 @@ namespace facet {
 struct EmitterTable {
   std::vector<shared::EmitterRecord> emitters;  ///< first_index is left 0
   std::vector<shared::EmitterTriangle> triangles;
-  /// Of each area emitter's triangles, in order of reading: index into `triangles`. Empty without a
-  /// light tree.
-  std::vector<std::uint32_t> places;
+  /// Of each area emitter's triangles, in order of reading. Empty without a light tree.
+  std::vector<shared::EmitterPlace> places;
   std::vector<shared::LightNode> light_nodes;  ///< empty where the scene or the settings need none
   EnvironmentTable environment;
   float environment_irradiance = 0;  ///< as in shared::FrameRecord
