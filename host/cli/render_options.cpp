@@ -77,6 +77,8 @@ void add_render_options(Command& command, RenderOptions& o) {
                 "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png "
                 "here");
   add_backend_options(command, o.backend);
+  command.flag("--adaptive", o.request.adaptive,
+               "Pixels get samples by their variance, --spp on average");
   add_sampling_option(command, o.request.sampling, true);
   add_aov_option(command, o.aovs);
   add_exposure_option(command, o.exposure);

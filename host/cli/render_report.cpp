@@ -72,9 +72,9 @@ std::string make_json_report(const RenderOutcome& o) {
 
 void print_summary(const RenderOutcome& o) {
   const RenderStatistics& s = o.statistics;
-  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}\n", o.scene, o.record.integrator,
+  say("{}: {}, {} triangles, {}x{} pixels, {} samples each{}{}\n", o.scene, o.record.integrator,
       o.triangles, o.image.width(), o.image.height(), o.record.samples.count(),
-      o.interrupted ? " (interrupted)" : "");
+      o.record.adaptive ? " on average" : "", o.interrupted ? " (interrupted)" : "");
   say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.record.device,
       with_unit_prefix(per_second(s, s.samples)) + " ",
       with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());

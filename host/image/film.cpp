@@ -43,7 +43,9 @@ Image develop(const Film& film, bool with_variance) {
          {"variance.R", "variance.G", "variance.B", "samples", "samples.nonzero"})
       channels.emplace_back(name);
   }
+  if (film.record.adaptive && !with_variance) channels.emplace_back("samples");
   Image image(film.width, film.height, channels);
+  const int samples = image.find_channel("samples");
   image.window = film.window;
   // A film that no renderer has made has nothing to tell.
   if (!film.record.version.empty()) image.metadata = header_of(film.record);
@@ -59,9 +61,8 @@ Image develop(const Film& film, bool with_variance) {
           image.at(x, y, 3 + c) =
               static_cast<float>(variance_of_mean(pixel->values[k], pixel->squares[k], n));
       }
-      if (!with_variance) continue;
-      image.at(x, y, 6) = static_cast<float>(n);
-      image.at(x, y, 7) = static_cast<float>(pixel->nonzero);
+      if (samples >= 0) image.at(x, y, samples) = static_cast<float>(n);
+      if (with_variance) image.at(x, y, samples + 1) = static_cast<float>(pixel->nonzero);
     }
   }
   return image;

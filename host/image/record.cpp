@@ -118,6 +118,9 @@ constexpr std::array fields{
                 "the number of facet.samples",
                 [](const R& r) -> Text { return fmt::format("{}", r.samples.count()); },
                 [](R& r, const std::string& t) { return parse_integer(t) == r.samples.count(); }},
+    RecordField{"facet.adaptive", "adaptive", true, nullptr, "adaptive sampling", true, "true",
+                [](const R& r) -> Text { return r.adaptive ? Text("true") : Text(); },
+                [](R& r, const std::string& t) { return r.adaptive = t == "true"; }},
     RecordField{"facet.seed", "seed", true, "--seed", "seed", true, "an integer from 0 on",
                 [](const R& r) -> Text { return fmt::format("{}", r.seed); },
                 [](R& r, const std::string& t) { return set_integer(t, 0, r.seed); }},
@@ -191,7 +194,8 @@ std::string rerun_command(const RenderRecord& record, const ImageSize& size, int
 
 std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x, int y) {
   const RenderRecord& record = parsed.record;
-  if (!parsed.damaged.empty() || record.scene.empty() || record.samples.list().size() > 1)
+  if (!parsed.damaged.empty() || record.scene.empty() || record.samples.list().size() > 1 ||
+      record.adaptive)
     return "";
   std::string command =
       fmt::format("facet render --pixel={},{} --resolution={}x{}", x, y, size.width, size.height);

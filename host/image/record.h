@@ -55,8 +55,8 @@ struct ParsedRecord {
 [[nodiscard]] std::string shell_word(const std::string& word);
 
 /// The command that renders the pixel (x, y) of the whole image again, with the record's samples
-/// and settings. Empty where no single command does: for a record without a scene, or with gaps
-/// between its samples.
+/// and settings. Empty where no single command does: for a record without a scene, with gaps
+/// between its samples, or of adaptive sampling.
 [[nodiscard]] std::string rerun_command(const RenderRecord& record, const ImageSize& size, int x,
                                         int y);
 /// The same with those entries alone that a header has; empty also where one of them is damaged.

@@ -7,8 +7,8 @@
 namespace facet::reference {
 
 const char* decision_name(DecisionKind kind) {
-  constexpr std::array names{"edge",        "order",  "range", "frame",   "horizon",
-                             "emission",    "offset", "lobe",  "masking", "tail",
+  constexpr std::array names{"edge",        "order",  "range", "frame",    "horizon",
+                             "emission",    "offset", "lobe",  "masking",  "tail",
                              "reflectance", "cell",   "texel", "roulette", "light"};
   return names.at(static_cast<std::size_t>(kind));
 }

@@ -1,9 +1,11 @@
 #include "reference/reference_backend.h"
 
 #include <atomic>
+#include <numeric>
 
 #include "core/clock.h"
 #include "core/parallel.h"
+#include "image/allocation.h"
 #include "reference/crop.h"
 #include "reference/reference_bsdf_evaluator.h"
 #include "reference/tracer.h"
@@ -29,27 +31,26 @@ class ReferenceRendering : public RecordedRendering {
         scene_(std::move(scene)),
         settings_(settings),
         world_(*scene_, settings_),
-        film_(blank_film(settings_)) {}
+        film_(blank_film(settings_)) {
+    statistics_.planned = settings_.total_samples();
+  }
 
   void run(const ProgressCallback& progress) override {
-    const auto start = std::chrono::steady_clock::now();
-    const auto most = static_cast<std::uint32_t>(
-        std::max<std::uint64_t>(1, samples_per_pass / film_.pixels.size()));
-    for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
-      const std::uint32_t end = sample + std::min(most, settings_.samples.end - sample);
-      pass(sample, end, [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
-      statistics_.render_seconds = seconds_since(start);
-      if (progress && !progress(static_cast<double>(statistics_.samples) /
-                                    static_cast<double>(settings_.total_samples()),
-                                statistics_))
-        break;
-      sample = end;
+    start_ = std::chrono::steady_clock::now();
+    std::vector<std::size_t> pixels(film_.pixels.size());
+    std::iota(pixels.begin(), pixels.end(), std::size_t{0});
+    if (settings_.adaptive) {
+      run_adaptively(std::move(pixels), progress);
+    } else {
+      passes(pixels, settings_.samples, progress);
     }
   }
 
   std::vector<Radiance> sample(std::uint32_t index) override {
     std::vector<Radiance> radiances(film_.pixels.size());
-    pass(index, index + 1, [&](std::size_t pixel, const Vec3<Real>& radiance) {
+    std::vector<std::size_t> pixels(film_.pixels.size());
+    std::iota(pixels.begin(), pixels.end(), std::size_t{0});
+    pass(pixels, {index, index + 1}, [&](std::size_t pixel, const Vec3<Real>& radiance) {
       const Vec3<float> r(radiance);
       radiances[pixel] = {r.x, r.y, r.z};
     });
@@ -61,17 +62,56 @@ class ReferenceRendering : public RecordedRendering {
  private:
   Film sums() const override { return film_; }
 
-  /// Adds samples [first, end) of every pixel to the film, and shows each to `look`.
+  /// The pilot, whose film is thrown away, then ever more samples of ever fewer pixels.
+  void run_adaptively(std::vector<std::size_t> pixels, const ProgressCallback& progress) {
+    const std::uint32_t mean = settings_.samples_per_pixel();
+    const std::uint32_t pilot = pilot_samples(mean);
+    const std::uint32_t seed = settings_.seed;
+    settings_.seed = pilot_seed(seed);
+    if (!passes(pixels, {0, pilot / 2}, progress)) return;
+    const Film first_half = film_;
+    if (!passes(pixels, {pilot / 2, pilot}, progress)) return;
+    const std::vector<std::uint32_t> counts = allocate_samples(first_half, film_, mean);
+    settings_.seed = seed;
+    film_ = blank_film(settings_);
+    statistics_.planned = statistics_.samples;
+    for (const std::uint32_t count : counts) statistics_.planned += count;
+    std::uint32_t begin = 0;
+    for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
+      std::erase_if(pixels, [&](std::size_t p) { return counts[p] < end; });
+      if (pixels.empty() || !passes(pixels, {begin, end}, progress)) return;
+    }
+  }
+
+  /// Samples of some pixels, told to `progress`; returns whether to go on.
+  bool passes(const std::vector<std::size_t>& pixels, const SampleRange& samples,
+              const ProgressCallback& progress) {
+    const auto most =
+        static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / pixels.size()));
+    for (std::uint32_t sample = samples.begin; sample < samples.end;) {
+      const std::uint32_t end = sample + std::min(most, samples.end - sample);
+      pass(pixels, {sample, end}, [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
+      statistics_.render_seconds = seconds_since(start_);
+      const double done =
+          static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
+      if (progress && !progress(done, statistics_)) return false;
+      sample = end;
+    }
+    return true;
+  }
+
+  /// Adds samples of some pixels to the film, and shows each to `look`.
   template <typename Look>
-  void pass(std::uint32_t first, std::uint32_t end, const Look& look) {
+  void pass(const std::vector<std::size_t>& pixels, const SampleRange& samples, const Look& look) {
     std::atomic<std::uint64_t> closest{0};
     std::atomic<std::uint64_t> any{0};
     std::atomic<std::uint64_t> bad{0};
-    parallel_for(film_.pixels.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t stop) {
+    parallel_for(pixels.size(), pixels_at_a_time, [&](std::size_t begin, std::size_t stop) {
       RayCounts counts;
       std::uint64_t dropped = 0;
-      for (std::size_t i = begin; i < stop; ++i) {
-        for (std::uint32_t sample = first; sample < end; ++sample) {
+      for (std::size_t k = begin; k < stop; ++k) {
+        const std::size_t i = pixels[k];
+        for (std::uint32_t sample = samples.begin; sample < samples.end; ++sample) {
           const CropSample at(settings_, i, sample);
           Unwatched unwatched;
           Tracer<Real, Unwatched> tracer(world_, at.id, unwatched);
@@ -94,7 +134,7 @@ class ReferenceRendering : public RecordedRendering {
     statistics_.closest_rays += closest;
     statistics_.any_rays += any;
     statistics_.bad_samples += bad;
-    statistics_.samples += film_.pixels.size() * std::uint64_t{end - first};
+    statistics_.samples += pixels.size() * std::uint64_t{samples.end - samples.begin};
   }
 
   ScenePtr scene_;
@@ -102,6 +142,7 @@ class ReferenceRendering : public RecordedRendering {
   World<Real> world_;
   Film film_;
   RenderStatistics statistics_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 template <typename Real>

@@ -52,6 +52,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   const int limit = settings.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
+  f.pixel_list = settings.adaptive;
   f.negative_filter = ends_negative(scene.camera.filter);
   f.visible_normals = settings.sampling == LobeSampling::visible;
   // Without a single emitter there is nothing to sample.
@@ -75,6 +76,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_POWER_HEURISTIC] = integrator.heuristic == Heuristic::power ? 1 : 0;
   c[shared::SPEC_ROULETTE] = roulette ? 1 : 0;
   c[shared::SPEC_VARIANCE] = variance ? 1 : 0;
+  c[shared::SPEC_PIXEL_LIST] = pixel_list ? 1 : 0;
   c[shared::SPEC_BSDF_FLAGS_SOME] = bsdf_flags_some;
   c[shared::SPEC_BSDF_FLAGS_ALL] = bsdf_flags_all;
   c[shared::SPEC_TEXTURE_KINDS] = texture_kinds;
@@ -105,6 +107,7 @@ std::vector<std::string> Features::names() const {
   if (sampler != Sampler::independent) list.push_back("sampler " + std::string(name_of(sampler)));
   if (shading_normals) list.emplace_back("vertex normals");
   if (variance) list.emplace_back("variance");
+  if (pixel_list) list.emplace_back("adaptive sampling");
   if (negative_filter) list.emplace_back("negative filter");
   return list;
 }

@@ -24,6 +24,7 @@ struct Features {
   bool light_tree = false;  ///< emitters are chosen by one; packing finds out, too
   bool roulette = false;
   bool variance = false;
+  bool pixel_list = false;       ///< pixels are chosen one by one
   bool negative_filter = false;  ///< the reconstruction filter is negative in parts
   bool visible_normals = true;
   Integrator integrator;

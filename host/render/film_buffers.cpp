@@ -30,6 +30,11 @@ FilmBuffers::FilmBuffers(gpu::Device& device, std::uint32_t pixel_count, bool wi
   }
 }
 
+void FilmBuffers::clear() {
+  for (gpu::Buffer& sums : sums_) sums.clear();
+  for (gpu::Buffer& squares : squares_) squares.clear();
+}
+
 void FilmBuffers::add_to(gpu::BufferMap& map, std::size_t piece) const {
   map[shared::BINDING_film] = &sums_[piece];
   map[shared::BINDING_film_squares] = &squares_[piece];

@@ -24,6 +24,9 @@ class FilmBuffers {
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> pixel_ranges(
       std::size_t piece, std::uint32_t most) const;
 
+  /// Black again.
+  void clear();
+
   /// Adds the sums to a film of as many pixels, which has squares where this has. square_scale:
   /// factor on the values that have been squared.
   void read(Film& film, float square_scale) const;

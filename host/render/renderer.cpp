@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/clock.h"
+#include "image/allocation.h"
 
 namespace facet {
 
@@ -48,17 +49,24 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
       settings_(packed.settings),
       features_(packed.features),
       square_scale_(packed.frame.square_scale),
+      seed_(packed.settings.seed),
       rounds_(rounds_of(packed)),
       scene_(device, packed),
       state_(device, choose_slots(device, packed.settings), rounds_ > 1),
       film_(device, crop_pixels(packed.settings), packed.features.variance),
+      listed_(
+          device,
+          packed.settings.adaptive ? std::uint64_t{film_.pixel_count()} * sizeof(std::uint32_t) : 0,
+          "the list of pixels"),
       program_(device, render_bindings(),
                choose_fetch(device, packed, packed.settings.force_storage_buffers)),
       kernels_(program_, packed.features, packed.bvh.stack_size) {
   const auto start = std::chrono::steady_clock::now();
+  statistics_.planned = settings_.total_samples();
   gpu::BufferMap map;
   scene_.add_to(map);
   state_.add_to(map);
+  map[shared::BINDING_listed_pixels] = &listed_;
   for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
     film_.add_to(map, piece);
     bound_.push_back(program_.bind(map));
@@ -96,6 +104,7 @@ Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_p
   wave.constants.sample_count = sample_count;
   wave.constants.stride = permutation_stride(pixel_count / shared::WORKGROUP_SIZE);
   wave.constants.film_first = film_.pieces()[film_piece].first_pixel;
+  wave.constants.seed = seed_;
   return wave;
 }
 
@@ -160,29 +169,86 @@ void Renderer::run_wave(const Wave& wave) {
   statistics_.samples += slots;
 }
 
-void Renderer::render(const ProgressCallback& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::uint64_t total = settings_.total_samples();
-  std::uint32_t batch = 1;
-  for (std::uint32_t sample = settings_.samples.begin; sample < settings_.samples.end;) {
-    // Passes of 1, 1, 2, 4, ... samples give an early picture of the whole; a wave holds as many as
-    // there are slots.
-    const std::uint32_t done = sample - settings_.samples.begin;
-    batch = std::min(std::max(done, 1U), settings_.samples.end - sample);
-    for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
-      for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
-        const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
-        for (std::uint32_t k = 0; k < batch; k += per_wave) {
-          run_wave(make_wave(piece, first, count, sample + k, std::min(per_wave, batch - k)));
-          statistics_.render_seconds = seconds_since(start);
-          if (progress &&
-              !progress(static_cast<double>(statistics_.samples) / static_cast<double>(total),
-                        statistics_))
-            return;
-        }
+bool Renderer::tell(const ProgressCallback& progress) {
+  statistics_.render_seconds = seconds_since(start_);
+  const double done =
+      static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
+  return !progress || progress(done, statistics_);
+}
+
+bool Renderer::render_all(const SampleRange& samples, const ProgressCallback& progress) {
+  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
+    for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
+      const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
+      for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
+        run_wave(make_wave(piece, first, count, k, std::min(per_wave, samples.end - k)));
+        if (!tell(progress)) return false;
       }
     }
+  }
+  return true;
+}
+
+bool Renderer::render_listed(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+                             const ProgressCallback& progress) {
+  listed_.upload(pixels);
+  std::size_t begin = 0;
+  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
+    const auto [first_pixel, pixel_count] = film_.pieces()[piece];
+    const auto last =
+        std::lower_bound(pixels.begin(), pixels.end(), first_pixel + pixel_count) - pixels.begin();
+    while (begin < static_cast<std::size_t>(last)) {
+      const auto first = static_cast<std::uint32_t>(begin);
+      const auto count = static_cast<std::uint32_t>(
+          std::min<std::size_t>(static_cast<std::size_t>(last) - begin, state_.slots()));
+      const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
+      for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
+        run_wave(make_wave(piece, first, count, k, std::min(per_wave, samples.end - k)));
+        if (!tell(progress)) return false;
+      }
+      begin += count;
+    }
+  }
+  return true;
+}
+
+void Renderer::render_evenly(const ProgressCallback& progress) {
+  const auto [begin, end] = settings_.samples;
+  for (std::uint32_t sample = begin; sample < end;) {
+    const std::uint32_t batch = std::min(std::max(sample - begin, 1U), end - sample);
+    if (!render_all({sample, sample + batch}, progress)) return;
     sample += batch;
+  }
+}
+
+void Renderer::render_adaptively(const ProgressCallback& progress) {
+  const std::uint32_t mean = settings_.samples_per_pixel();
+  const std::uint32_t pilot = pilot_samples(mean);
+  std::vector<std::uint32_t> pixels(film_.pixel_count());
+  std::iota(pixels.begin(), pixels.end(), 0U);
+  seed_ = pilot_seed(settings_.seed);
+  if (!render_listed(pixels, {0, pilot / 2}, progress)) return;
+  const Film first_half = film();
+  if (!render_listed(pixels, {pilot / 2, pilot}, progress)) return;
+  const std::vector<std::uint32_t> counts = allocate_samples(first_half, film(), mean);
+  film_.clear();
+  seed_ = settings_.seed;
+  statistics_.planned =
+      statistics_.samples + std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  // Twice as many from round to round, of ever fewer pixels.
+  std::uint32_t begin = 0;
+  for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
+    std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
+    if (pixels.empty() || !render_listed(pixels, {begin, end}, progress)) return;
+  }
+}
+
+void Renderer::render(const ProgressCallback& progress) {
+  start_ = std::chrono::steady_clock::now();
+  if (settings_.adaptive) {
+    render_adaptively(progress);
+  } else {
+    render_evenly(progress);
   }
 }
 
@@ -210,6 +276,7 @@ Film Renderer::film() const {
 
 std::vector<shared::RayRecord> Renderer::camera_rays() {
   shared::PassConstants constants{};
+  constants.seed = seed_;
   constants.pixel_count = std::min(state_.slots(), film_.pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);

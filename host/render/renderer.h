@@ -44,6 +44,16 @@ class Renderer {
   };
 
   void compile_kernels();
+  /// Calls `progress`; returns whether to go on.
+  bool tell(const ProgressCallback& progress);
+  /// Samples [begin, end) of all pixels, or of those of the crop that are listed, in ascending
+  /// order; return whether to go on.
+  bool render_all(const SampleRange& samples, const ProgressCallback& progress);
+  bool render_listed(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+                     const ProgressCallback& progress);
+  /// Passes of 1, 1, 2, 4, ... samples, which give an early picture of the whole.
+  void render_evenly(const ProgressCallback& progress);
+  void render_adaptively(const ProgressCallback& progress);
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                std::uint32_t pixel_count, std::uint32_t first_sample,
                                std::uint32_t sample_count) const;
@@ -61,12 +71,15 @@ class Renderer {
   RenderSettings settings_;
   Features features_;
   float square_scale_;
+  std::uint32_t seed_;    ///< of the samples that are being rendered
   std::uint32_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   RenderStatistics statistics_;
+  std::chrono::steady_clock::time_point start_;  ///< of rendering
   StageSeconds stage_seconds_{};
   SceneBuffers scene_;
   PathState state_;
   FilmBuffers film_;
+  gpu::Buffer listed_;  ///< pixels of passes, where they are listed
   KernelProgram program_;
   std::vector<gpu::BoundBuffers> bound_;  ///< one a piece of the film
   RenderKernels kernels_;

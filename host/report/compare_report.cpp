@@ -22,22 +22,35 @@ nlohmann::json color_json(const Image& image, std::size_t pixel) {
   return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
 }
 
+/// The command that renders a pixel of an image again, place i of it; empty where there is none. Of
+/// an adaptive image, the pixel's own number of samples is needed.
+std::string pixel_command(ParsedRecord parsed, const Image& image, std::size_t i, int x, int y) {
+  if (parsed.record.adaptive) {
+    const int channel = image.find_channel("samples");
+    const float samples = channel < 0 ? 0 : image.plane(channel)[i];
+    if (!(samples >= 1 && samples <= 1U << 30U)) return "";
+    parsed.record.adaptive = false;
+    parsed.record.samples = SampleRanges({0, static_cast<std::uint32_t>(samples)});
+  }
+  return rerun_command(parsed, {image.window.full_width, image.window.full_height}, x, y);
+}
+
 /// The pixels of the largest errors, with the commands that render them again where there are such.
 nlohmann::ordered_json worst_json(const Comparison& c) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   const ImageWindow& w = c.image.window;
-  const ImageSize size{w.full_width, w.full_height};
   for (const std::size_t i : worst_pixels(c.errors, worst_count)) {
     const auto width = static_cast<std::size_t>(c.image.width());
     const int x = static_cast<int>(i % width) + w.x;
     const int y = static_cast<int>(i / width) + w.y;
-    list.push_back({{"pixel", {x, y}},
-                    {"image", color_json(c.image, i)},
-                    {"reference", color_json(c.reference, i)},
-                    {"relative_error", std::sqrt(c.errors.terms[i])},
-                    {"flip", c.flip.map[i]},
-                    {"image_command", rerun_command(c.image_record, size, x, y)},
-                    {"reference_command", rerun_command(c.reference_record, size, x, y)}});
+    list.push_back(
+        {{"pixel", {x, y}},
+         {"image", color_json(c.image, i)},
+         {"reference", color_json(c.reference, i)},
+         {"relative_error", std::sqrt(c.errors.terms[i])},
+         {"flip", c.flip.map[i]},
+         {"image_command", pixel_command(c.image_record, c.image, i, x, y)},
+         {"reference_command", pixel_command(c.reference_record, c.reference, i, x, y)}});
   }
   return list;
 }

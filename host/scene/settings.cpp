@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "image/allocation.h"
 #include "scene/fingerprint.h"
 #include "scene/reader.h"
 #include "version.h"
@@ -87,6 +88,16 @@ SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
   return {0, static_cast<std::uint32_t>(count)};
 }
 
+void check_adaptive(const RenderSettings& s, const RenderRequest& request) {
+  if (request.sample_range)
+    throw InputError(
+        "adaptive sampling and a sample range exclude each other: the pixels of parts have the "
+        "same samples");
+  if (s.samples_per_pixel() < least_adaptive_samples)
+    throw InputError(fmt::format("{} samples a pixel: adaptive sampling needs at least {}",
+                                 s.samples_per_pixel(), least_adaptive_samples));
+}
+
 }  // namespace
 
 RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
@@ -100,7 +111,9 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   s.seed = request.seed.value_or(scene.seed);
   s.masking = request.masking;
   s.sampling = request.sampling;
-  s.variance = request.variance;
+  s.variance = request.variance || request.adaptive;
+  s.adaptive = request.adaptive;
+  if (s.adaptive) check_adaptive(s, request);
   return s;
 }
 
@@ -132,6 +145,7 @@ RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
   r.sampler = name_of(settings.sampler);
   r.sampling = settings.sampling;
   r.samples.add(settings.samples);
+  r.adaptive = settings.adaptive;
   r.seed = settings.seed;
   r.max_depth = settings.integrator.interaction_limit();
   r.heuristic = settings.integrator.heuristic;

@@ -16,6 +16,8 @@ struct RenderSettings {
   std::optional<Masking> masking;  ///< instead of that of the scene's BSDFs
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares
+  bool adaptive = false;  ///< pixels get samples by their variance; `samples` says how many on
+                          ///< average, from 0 on
 
   // Of the kernels alone; no result depends on them.
   /// Read from storage buffers even where texel buffers would do; for tests.

@@ -29,7 +29,7 @@ class RecordedRendering : public Rendering {
   [[nodiscard]] RenderRecord record() const final {
     RenderRecord record = record_;
     record.seconds = statistics().render_seconds;
-    record.complete = statistics().samples == total_samples_;
+    record.complete = statistics().samples == statistics().planned;
     return record;
   }
   [[nodiscard]] Film film() const final {
@@ -42,7 +42,7 @@ class RecordedRendering : public Rendering {
   /// kind: of the backend, as RenderRecord::backend says it.
   RecordedRendering(const Backend& backend, const char* kind, Precision precision,
                     const Scene& scene, const RenderSettings& settings)
-      : record_(record_of(scene, settings)), total_samples_(settings.total_samples()) {
+      : record_(record_of(scene, settings)) {
     record_.backend = kind;
     record_.precision = precision;
     record_.device = backend.name();
@@ -54,7 +54,6 @@ class RecordedRendering : public Rendering {
 
  private:
   RenderRecord record_;
-  std::uint64_t total_samples_;
 };
 
 /// A scene that outlives all renderings of it.

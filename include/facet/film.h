@@ -54,7 +54,8 @@ struct RenderRecord {
   std::string integrator;  ///< by its name in the scene language
   std::string sampler;     ///< likewise
   LobeSampling sampling = LobeSampling::visible;
-  SampleRanges samples;  ///< of each pixel
+  SampleRanges samples;   ///< of each pixel
+  bool adaptive = false;  ///< `samples` says how many there are on average
   std::uint32_t seed = 0;
   int max_depth = -1;  ///< surface interactions of a path, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
@@ -150,7 +151,7 @@ struct Film {
 
 /// Channels R, G, B: the mean over samples; the record as metadata. With variance also variance.R,
 /// variance.G, variance.B (of the mean), samples and samples.nonzero; the film must have squares
-/// for it.
+/// for it. An adaptive render's has samples in any case.
 [[nodiscard]] Image develop(const Film& film, bool with_variance);
 
 }  // namespace facet

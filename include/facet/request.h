@@ -52,6 +52,7 @@ struct RenderStatistics {
   std::uint64_t closest_rays = 0;  ///< rays that looked for their nearest hit
   std::uint64_t any_rays = 0;      ///< rays that looked for any hit: shadow rays
   std::uint64_t samples = 0;       ///< finished, over all pixels
+  std::uint64_t planned = 0;       ///< samples that there will be in the end
   std::uint64_t bad_samples = 0;   ///< dropped: NaN, infinite or negative
   std::uint64_t bound_hits =
       0;                   ///< traversals stopped by their safety bound; the image is wrong there
@@ -83,6 +84,8 @@ struct RenderRequest {
   std::optional<EmitterSelection> emitter_selection = {};
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares, from which the error can be estimated
+  /// Pixels get samples by their variance, `samples` on average (at least 16); no sample range.
+  bool adaptive = false;
   ProgressCallback progress = {};
 };
 

@@ -3,6 +3,7 @@
 #define FACET_PASS_GLSL
 #include "bindings.glsl"
 #include "random.glsl"
+#include "records.glsl"
 
 /// Pixels are handed out in runs of one workgroup, permuted so that every contiguous part of a
 /// dispatch holds work from all over the image: drivers that split a dispatch between threads then
@@ -17,7 +18,10 @@ uint permuted_pixel(uint local) {
 }
 
 /// Pixel within the crop, row by row.
-uint slot_crop_pixel(uint slot) { return permuted_pixel(slot % pass_constants.pixel_count); }
+uint slot_crop_pixel(uint slot) {
+  uint pixel = permuted_pixel(slot % pass_constants.pixel_count);
+  return PIXEL_LIST ? fetch_listed_pixel(pixel) : pixel;
+}
 
 /// Pixel of the whole image.
 uvec2 crop_to_image(uint crop_pixel) {
@@ -31,7 +35,7 @@ SampleId slot_sample(uint slot) {
   SampleId id;
   id.pixel = p.y * frame.width + p.x;
   id.index = pass_constants.first_sample + slot / pass_constants.pixel_count;
-  id.seed = frame.seed;
+  id.seed = pass_constants.seed;
   return id;
 }
 

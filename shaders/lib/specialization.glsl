@@ -50,6 +50,8 @@ layout(constant_id = SPEC_CAMERA_BOUNCE) const bool CAMERA_BOUNCE = true;
 layout(constant_id = SPEC_LAST_BOUNCE) const bool LAST_BOUNCE = false;
 /// No bounce follows the first.
 layout(constant_id = SPEC_ONLY_BOUNCE) const bool ONLY_BOUNCE = false;
+/// The pixels of a pass are those of a list.
+layout(constant_id = SPEC_PIXEL_LIST) const bool PIXEL_LIST = true;
 /// Sums of squares are kept.
 layout(constant_id = SPEC_VARIANCE) const bool VARIANCE = true;
 

@@ -42,11 +42,12 @@
   X(22, state, paths, path, PathRecord)                             \
   X(23, state, film, film, FilmRecord)                              \
   X(24, state, film_squares, film_squares, FilmRecord)              \
-  X(25, storage, queues, queue, uint)                               \
-  X(26, storage, counters, counter, uint)                           \
-  X(27, uniform, evaluations, evaluation, EvaluationRecord)         \
-  X(28, storage, queries, query, QueryRecord)                       \
-  X(29, storage, values, value, vec4)                               \
-  X(30, storage, weights, weight, vec4)
+  X(25, state, listed_pixels, listed_pixel, uint)                   \
+  X(26, storage, queues, queue, uint)                               \
+  X(27, storage, counters, counter, uint)                           \
+  X(28, uniform, evaluations, evaluation, EvaluationRecord)         \
+  X(29, storage, queries, query, QueryRecord)                       \
+  X(30, storage, values, value, vec4)                               \
+  X(31, storage, weights, weight, vec4)
 
 #endif

@@ -179,7 +179,7 @@ struct FrameRecord {
   uint crop_y;
   uint crop_width;
   uint crop_height;
-  uint seed;
+  uint unused3;
   uint max_depth;  // surface interactions, NONE: unlimited
   uint emitter_count;
   uint environment_emitter;  // index of the environment, NONE without
@@ -233,7 +233,7 @@ struct FilmRecord {
 
 /// A pass: which pixels and samples the slots stand for (push constants).
 struct PassConstants {
-  uint first_pixel;  // within the crop
+  uint first_pixel;  // within the crop or, where pixels are listed, the list
   uint pixel_count;
   uint first_sample;
   uint sample_count;  // per pixel
@@ -245,7 +245,7 @@ struct PassConstants {
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
   uint emitter;  // that a round of a bounce samples, where every emitter is sampled
-  uint unused0;
+  uint seed;     // of the random numbers
 };
 
 /// What is asked of one BSDF (evaluate.comp, sample.comp).
@@ -279,7 +279,8 @@ namespace facet::shared {
 static_assert(sizeof(BvhNode) == 48 && sizeof(PairRecord) == 16 && sizeof(BvhItem) == 48 &&
               sizeof(MeshRecord) == 16);
 static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 &&
-              sizeof(EmitterTriangle) == 16 && sizeof(LightNode) == 48 && sizeof(EmitterPlace) == 16);
+              sizeof(EmitterTriangle) == 16 && sizeof(LightNode) == 48 &&
+              sizeof(EmitterPlace) == 16);
 static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 176 &&
               sizeof(RayRecord) == 32);

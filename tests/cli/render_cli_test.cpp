@@ -77,6 +77,28 @@ TEST_F(RenderCliTest, SeedsDecide) {
   EXPECT_FALSE(equal(first, render("c", {"--seed", "2"})));
 }
 
+TEST_F(RenderCliTest, AdaptiveSamplesAreCountedInTheImage) {
+  const Image image = render("a", {"--adaptive", "--spp", "32"});
+  EXPECT_EQ(metadata(image, "facet.adaptive"), "true");
+  EXPECT_EQ(metadata(image, "facet.complete"), "yes");
+  const int samples = image.find_channel("samples");
+  ASSERT_GE(samples, 0);
+  double sum = 0;
+  for (int i = 0; i < 256; ++i) sum += static_cast<double>(image.plane(samples)[i]);
+  EXPECT_LE(sum, 28 * 256) << "four of 32 samples a pixel are the pilot's";
+  EXPECT_GT(sum, 25 * 256);
+  EXPECT_EQ(metadata(render("b", {"--spp", "32"}), "facet.adaptive"), "no facet.adaptive");
+}
+
+TEST_F(RenderCliTest, WhatCannotBeAdaptiveIsSaid) {
+  const Result few = run({"render", "scene.xml", "--adaptive", "--spp", "15"});
+  EXPECT_EQ(few.code, 2);
+  expect_words(few.err, {"15 samples a pixel", "at least 16"});
+  const Result part = run({"render", "scene.xml", "--adaptive", "--sample-range", "0:64"});
+  EXPECT_EQ(part.code, 2);
+  expect_words(part.err, {"adaptive", "sample range"});
+}
+
 TEST_F(RenderCliTest, ACropIsThatPartOfTheImage) {
   const Image whole = render("whole", {});
   const Image crop = render("crop", {"--crop", "3,5,12,14"});

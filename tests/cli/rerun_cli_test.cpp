@@ -1,4 +1,5 @@
 // The commands that reports print render the same value again.
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -112,6 +113,22 @@ TEST_F(RerunCliTest, TheKernelsRenderTheSameValueAgain) {
   // What no option says follows the scene, then and now.
   ASSERT_EQ(run({"render", "-o", "b.exr", "--resolution", "12x10", "--", scene_}).code, 0);
   expect_same_value("b.exr");
+}
+
+// A pixel by itself is not adaptive; its number of samples stands in the image.
+TEST_F(RerunCliTest, APixelOfAnAdaptiveImageHasItsOwnNumberOfSamples) {
+  for (const char* backend : {"vulkan", "reference"}) {
+    Words words = render("a.exr", {"--sample-range", "--backend", "--precision"});
+    words.insert(words.begin() + 1, {"--adaptive", "--spp=32", "--backend", backend});
+    ASSERT_EQ(run(words).code, 0);
+    const Image image = read_exr(folder_.file("a.exr"));
+    const int samples = image.find_channel("samples");
+    ASSERT_GE(samples, 0);
+    const auto [least, most] =
+        std::minmax_element(image.plane(samples), image.plane(samples) + 120);
+    EXPECT_LT(*least, *most);
+    expect_same_value("a.exr");
+  }
 }
 
 // One sample of this scene lies so near an edge that kernels and reference decide otherwise.

@@ -17,6 +17,7 @@ RenderRecord full_record() {
   r.sampler = "sobol";
   r.sampling = LobeSampling::ndf;
   r.samples = SampleRanges(SampleRange{3, 9});
+  r.adaptive = true;
   r.seed = 4000000000U;
   r.max_depth = 7;
   r.heuristic = Heuristic::power;
@@ -86,12 +87,14 @@ TEST(Record, tells_what_is_damaged) {
 }
 
 TEST(Record, makes_the_command_that_renders_again) {
-  EXPECT_EQ(rerun_command(full_record(), {40, 30}, 5, 6),
+  RenderRecord full = full_record();
+  full.adaptive = false;
+  EXPECT_EQ(rerun_command(full, {40, 30}, 5, 6),
             "facet render --pixel=5,6 --resolution=40x30 --backend=reference --precision=double "
             "--integrator=path_mis --max-depth=7 --heuristic=power --emitter-selection=uniform "
             "--sampler=sobol --sampling=ndf --masking=exact --sample-range=3:9 --seed=4000000000 "
             "-- '/a folder/the scene.xml'");
-  RenderRecord kernels = full_record();
+  RenderRecord kernels = full;
   kernels.backend = "vulkan";
   kernels.masking.reset();
   const std::string command = rerun_command(kernels, {40, 30}, 5, 6);
@@ -100,6 +103,7 @@ TEST(Record, makes_the_command_that_renders_again) {
 }
 
 TEST(Record, has_no_command_for_what_no_single_one_renders) {
+  EXPECT_EQ(rerun_command(full_record(), {40, 30}, 5, 6), "") << "adaptive";
   RenderRecord gaps = full_record();
   gaps.samples.add(SampleRange{20, 30});
   EXPECT_EQ(rerun_command(gaps, {40, 30}, 5, 6), "");

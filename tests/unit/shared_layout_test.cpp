@@ -53,7 +53,6 @@ const std::map<std::string, Offsets>& expected_offsets() {
         FACET_OFFSET(FrameRecord, crop_y),
         FACET_OFFSET(FrameRecord, crop_width),
         FACET_OFFSET(FrameRecord, crop_height),
-        FACET_OFFSET(FrameRecord, seed),
         FACET_OFFSET(FrameRecord, max_depth),
         FACET_OFFSET(FrameRecord, emitter_count),
         FACET_OFFSET(FrameRecord, environment_emitter),
@@ -64,7 +63,8 @@ const std::map<std::string, Offsets>& expected_offsets() {
         FACET_OFFSET(FrameRecord, filter_scale),
         FACET_OFFSET(FrameRecord, square_scale),
         FACET_OFFSET(FrameRecord, simple_position),
-        FACET_OFFSET(FrameRecord, simple_energy)}},
+        FACET_OFFSET(FrameRecord, simple_energy),
+        FACET_OFFSET(FrameRecord, environment_irradiance)}},
       {"RayRecord", {FACET_OFFSET(RayRecord, origin), FACET_OFFSET(RayRecord, direction)}},
       {"HitRecord",
        {FACET_OFFSET(HitRecord, t), FACET_OFFSET(HitRecord, triangle), FACET_OFFSET(HitRecord, b1),
@@ -86,7 +86,7 @@ const std::map<std::string, Offsets>& expected_offsets() {
         FACET_OFFSET(PassConstants, bounce), FACET_OFFSET(PassConstants, queue),
         FACET_OFFSET(PassConstants, stride), FACET_OFFSET(PassConstants, film_first),
         FACET_OFFSET(PassConstants, film_begin), FACET_OFFSET(PassConstants, film_end),
-        FACET_OFFSET(PassConstants, emitter)}},
+        FACET_OFFSET(PassConstants, emitter), FACET_OFFSET(PassConstants, seed)}},
   };
   return offsets;
 }

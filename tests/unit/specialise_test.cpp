@@ -164,7 +164,7 @@ TEST(Specialise, kernels_are_valid_whatever_their_constants) {
   std::size_t smallest = ~std::size_t{0};
   std::size_t largest = 0;
   for_each_kernel([&](const std::string& kernel, std::span<const std::uint32_t> words) {
-    for (int draw = 0; draw < 36; ++draw) {
+    for (int draw = 0; draw < 48; ++draw) {
       Code constants(shared::SPEC_COUNT);
       // Many bits, few bits, or a small number: masks and flags both.
       for (std::uint32_t& c : constants) {

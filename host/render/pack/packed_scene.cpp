@@ -200,7 +200,6 @@ class Packer {
     f.crop_y = static_cast<std::uint32_t>(settings_.crop.y0);
     f.crop_width = static_cast<std::uint32_t>(settings_.crop_width());
     f.crop_height = static_cast<std::uint32_t>(settings_.crop_height());
-    f.seed = settings_.seed;
     const int limit = settings_.integrator.interaction_limit();
     f.max_depth = limit < 0 ? shared::NONE : static_cast<std::uint32_t>(limit);
     constexpr double four_pi2 = 4 * std::numbers::pi * std::numbers::pi;

@@ -1,0 +1,231 @@
+#include "image/allocation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "image/film.h"
+
+namespace facet {
+
+namespace {
+
+/// A quantity of every pixel.
+struct Plane {
+  int width = 0;
+  int height = 0;
+  std::vector<double> values;
+
+  explicit Plane(const Film& film)
+      : width(film.width), height(film.height), values(film.pixels.size()) {}
+
+  [[nodiscard]] double mean() const {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
+
+  /// Means over squares of 2 r + 1 pixels, cut off at the borders.
+  [[nodiscard]] Plane blurred(int r) const { return along(1, width, r).along(width, height, r); }
+
+ private:
+  /// Means over 2 r + 1 neighbours in one direction.
+  [[nodiscard]] Plane along(int step, int count, int r) const {
+    Plane result = *this;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const int place = static_cast<int>(i) / step % count;
+      const int first = std::max(-r, -place);
+      const int last = std::min(r, count - 1 - place);
+      double sum = 0;
+      for (std::ptrdiff_t k = first; k <= last; ++k)
+        sum += values[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + k * step)];
+      result.values[i] = sum / (last - first + 1);
+    }
+    return result;
+  }
+};
+
+/// The mean of each pixel's own and its neighbours'.
+Plane with_neighbours(const Plane& plane) {
+  Plane result = plane.blurred(1);
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = (result.values[i] + plane.values[i]) / 2;
+  return result;
+}
+
+/// What the pilot says of its pixels: estimates of their terms of relMSE for a mean of as many
+/// samples as the pilot has. A few samples tell little of a pixel, least of all what they have
+/// missed, hence its neighbours' help: with their variances, not with those relative to their
+/// means, since next to what is bright and seen lies what is dark and has just not seen it.
+class Pilot {
+ public:
+  Pilot(const Film& first_half, const Film& all)
+      : errors(all), of_first(all), of_second(all), first_half_(first_half), all_(all) {
+    double luminance = 0;
+    for (const PixelSums& p : all.pixels) {
+      const auto m = p.mean();
+      luminance += 0.2126 * m[0] + 0.7152 * m[1] + 0.0722 * m[2];
+    }
+    const double hundredth = 0.01 * luminance / static_cast<double>(all.pixels.size());
+    const double epsilon = std::max(hundredth * hundredth, 1e-300);
+    Plane by_halves(all);
+    Plane by_samples(all);
+    for (std::size_t c = 0; c < 3; ++c) {
+      Plane weights(all);
+      for (std::size_t i = 0; i < weights.values.size(); ++i)
+        weights.values[i] = all.pixels[i].mean()[c];
+      weights = weights.blurred(1);
+      for (double& w : weights.values) w = 1 / (w * w + epsilon);
+      add_channel(c, weights, by_halves, by_samples);
+    }
+    heed_order(by_halves.blurred(3), by_samples.blurred(3));
+  }
+
+  Plane errors;    ///< by the variance of all samples
+  Plane of_first;  ///< by that of each half of them
+  Plane of_second;
+
+ private:
+  void add_channel(std::size_t c, const Plane& weights, Plane& by_halves, Plane& by_samples) {
+    Plane whole(all_);
+    Plane first(all_);
+    Plane second(all_);
+    for (std::size_t i = 0; i < weights.values.size(); ++i) {
+      const PixelSums& half = first_half_.pixels[i];
+      const PixelSums& all = all_.pixels[i];
+      const double n = half.samples;
+      const double m = all.samples - n;
+      const double rest = all.values[c] - half.values[c];
+      whole.values[i] = variance_of_mean(all.values[c], all.squares[c], all.samples);
+      first.values[i] = variance_of_mean(half.values[c], half.squares[c], n) / 2;
+      second.values[i] = variance_of_mean(rest, all.squares[c] - half.squares[c], m) / 2;
+      for (Plane* plane : {&whole, &first, &second})
+        plane->values[i] = std::max(plane->values[i], 0.0);
+      if (!(n > 0 && m > 0)) continue;
+      const double difference = (half.values[c] / n - rest / m) / 2;
+      by_halves.values[i] += weights.values[i] * difference * difference;
+      by_samples.values[i] += weights.values[i] * whole.values[i];
+    }
+    for (const auto& [from, to] : {std::pair(&whole, &errors), std::pair(&first, &of_first),
+                                   std::pair(&second, &of_second)}) {
+      const Plane helped = with_neighbours(*from);
+      for (std::size_t i = 0; i < weights.values.size(); ++i)
+        to->values[i] += weights.values[i] * helped.values[i];
+    }
+  }
+
+  /// Points that are spread evenly err less than the variance of single samples says: by how much,
+  /// the difference between the halves tells, over many pixels.
+  void heed_order(const Plane& by_halves, const Plane& by_samples) {
+    constexpr double least_share = 1.0 / 64;
+    for (std::size_t i = 0; i < errors.values.size(); ++i) {
+      if (!(by_samples.values[i] > 0)) continue;
+      const double share = std::clamp(by_halves.values[i] / by_samples.values[i], least_share, 1.0);
+      errors.values[i] *= share;
+      of_first.values[i] *= share;
+      of_second.values[i] *= share;
+    }
+  }
+
+  const Film& first_half_;
+  const Film& all_;
+};
+
+/// Logarithms of a plane over its mean, nothing counting as less than a thousandth.
+std::vector<double> logarithms(const Plane& plane) {
+  const double mean = plane.mean();
+  std::vector<double> result;
+  result.reserve(plane.values.size());
+  for (const double v : plane.values) result.push_back(std::log(v / mean + 1e-3));
+  return result;
+}
+
+/// How far the pilot's differences between pixels are theirs, not chance: the correlation of its
+/// halves, extended to the whole (C. Spearman, W. Brown 1910). 0: not at all, 1: all.
+double reliability(const Pilot& pilot) {
+  const std::vector<double> a = logarithms(pilot.of_first);
+  const std::vector<double> b = logarithms(pilot.of_second);
+  const auto n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double aa = 0;
+  double bb = 0;
+  double ab = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  if (!(aa > 0 && bb > 0)) return 0;
+  const double r = std::clamp(ab / std::sqrt(aa * bb), 0.0, 1.0);
+  return 2 * r / (1 + r);
+}
+
+/// Samples in proportion: to the root of the error where that is known, less so where it is not.
+Plane wishes_of(const Pilot& pilot) {
+  Plane wishes = pilot.errors;
+  const double power = reliability(pilot) / 2;
+  for (double& w : wishes.values) w = std::pow(w, power);
+  return wishes;
+}
+
+/// Turns wishes into powers of two within bounds and a budget.
+class Allocation {
+ public:
+  Allocation(const Plane& wishes, std::uint32_t least, std::uint32_t most)
+      : least_(std::countr_zero(least)), most_(std::countr_zero(most)) {
+    for (const double w : wishes.values)
+      logarithms_.push_back(w > 0 ? std::max(std::log2(w), -1000.0) : -1000.0);
+  }
+
+  /// The largest numbers within the budget, up to a factor that all have in common.
+  [[nodiscard]] std::vector<std::uint32_t> within(double budget) const {
+    double low = -1100;
+    double high = 1100;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = (low + high) / 2;
+      (total(middle) <= budget ? low : high) = middle;
+    }
+    std::vector<std::uint32_t> counts;
+    counts.reserve(logarithms_.size());
+    for (const double l : logarithms_) counts.push_back(1U << exponent(l + low));
+    return counts;
+  }
+
+ private:
+  [[nodiscard]] unsigned exponent(double logarithm) const {
+    return static_cast<unsigned>(
+        std::clamp(static_cast<int>(std::floor(logarithm + 0.5)), least_, most_));
+  }
+  [[nodiscard]] double total(double factor) const {
+    double sum = 0;
+    for (const double l : logarithms_) sum += static_cast<double>(1U << exponent(l + factor));
+    return sum;
+  }
+
+  int least_;
+  int most_;
+  std::vector<double> logarithms_;
+};
+
+}  // namespace
+
+std::uint32_t pilot_samples(std::uint32_t mean) {
+  return std::clamp(std::bit_floor(mean / 8), 4U, 32U);
+}
+
+std::uint32_t pilot_seed(std::uint32_t seed) { return seed ^ 0x9e3779b9U; }
+
+std::uint32_t smallest_allocation(std::uint32_t mean) {
+  return std::max(std::bit_floor(mean) / 8, 2U);
+}
+
+std::vector<std::uint32_t> allocate_samples(const Film& first_half, const Film& pilot,
+                                            std::uint32_t mean) {
+  const Pilot known(first_half, pilot);
+  const std::uint32_t most = std::bit_floor(std::min(mean, 1U << 24U)) * 64;
+  const Allocation allocation(wishes_of(known), smallest_allocation(mean), most);
+  return allocation.within(static_cast<double>(mean - pilot_samples(mean)) *
+                           static_cast<double>(pilot.pixels.size()));
+}
+
+}  // namespace facet
