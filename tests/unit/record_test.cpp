@@ -104,13 +104,15 @@ TEST(Record, makes_the_command_that_renders_again) {
 
 TEST(Record, has_no_command_for_what_no_single_one_renders) {
   EXPECT_EQ(rerun_command(full_record(), {40, 30}, 5, 6), "") << "adaptive";
-  RenderRecord gaps = full_record();
+  RenderRecord even = full_record();
+  even.adaptive = false;
+  RenderRecord gaps = even;
   gaps.samples.add(SampleRange{20, 30});
   EXPECT_EQ(rerun_command(gaps, {40, 30}, 5, 6), "");
-  RenderRecord memory = full_record();
+  RenderRecord memory = even;
   memory.scene.clear();
   EXPECT_EQ(rerun_command(memory, {40, 30}, 5, 6), "");
-  ParsedRecord damaged = parse_record(header_of(full_record()));
+  ParsedRecord damaged = parse_record(header_of(even));
   damaged.damaged.push_back({record_fields().data(), "?"});
   EXPECT_EQ(rerun_command(damaged, {40, 30}, 5, 6), "");
 }
