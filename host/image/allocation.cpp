@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "image/film.h"
+#include "image/error_estimate.h"
 
 namespace facet {
 
@@ -60,13 +60,7 @@ class Pilot {
  public:
   Pilot(const Film& first_half, const Film& all)
       : errors(all), of_first(all), of_second(all), first_half_(first_half), all_(all) {
-    double luminance = 0;
-    for (const PixelSums& p : all.pixels) {
-      const auto m = p.mean();
-      luminance += 0.2126 * m[0] + 0.7152 * m[1] + 0.0722 * m[2];
-    }
-    const double hundredth = 0.01 * luminance / static_cast<double>(all.pixels.size());
-    const double epsilon = std::max(hundredth * hundredth, 1e-300);
+    const double epsilon = std::max(relmse_epsilon(all), 1e-300);
     Plane by_halves(all);
     Plane by_samples(all);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -98,8 +92,6 @@ class Pilot {
       whole.values[i] = variance_of_mean(all.values[c], all.squares[c], all.samples);
       first.values[i] = variance_of_mean(half.values[c], half.squares[c], n) / 2;
       second.values[i] = variance_of_mean(rest, all.squares[c] - half.squares[c], m) / 2;
-      for (Plane* plane : {&whole, &first, &second})
-        plane->values[i] = std::max(plane->values[i], 0.0);
       if (!(n > 0 && m > 0)) continue;
       const double difference = (half.values[c] / n - rest / m) / 2;
       by_halves.values[i] += weights.values[i] * difference * difference;
@@ -213,8 +205,6 @@ std::uint32_t pilot_samples(std::uint32_t mean) {
   return std::clamp(std::bit_floor(mean / 8), 4U, 32U);
 }
 
-std::uint32_t pilot_seed(std::uint32_t seed) { return seed ^ 0x9e3779b9U; }
-
 std::uint32_t smallest_allocation(std::uint32_t mean) {
   return std::max(std::bit_floor(mean) / 8, 2U);
 }
@@ -226,6 +216,24 @@ std::vector<std::uint32_t> allocate_samples(const Film& first_half, const Film& 
   const Allocation allocation(wishes_of(known), smallest_allocation(mean), most);
   return allocation.within(static_cast<double>(mean - pilot_samples(mean)) *
                            static_cast<double>(pilot.pixels.size()));
+}
+
+void render_adaptively(std::uint32_t mean, std::uint32_t seed, std::uint32_t pixel_count,
+                       const AdaptiveSteps& steps) {
+  const std::uint32_t pilot = pilot_samples(mean);
+  const std::uint32_t pilot_seed = seed ^ 0x9e3779b9U;
+  std::vector<std::uint32_t> pixels(pixel_count);
+  std::iota(pixels.begin(), pixels.end(), 0U);
+  if (!steps.render(pixels, {0, pilot / 2}, pilot_seed)) return;
+  const Film first_half = steps.film();
+  if (!steps.render(pixels, {pilot / 2, pilot}, pilot_seed)) return;
+  const std::vector<std::uint32_t> counts = allocate_samples(first_half, steps.film(), mean);
+  steps.restart(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  std::uint32_t begin = 0;
+  for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
+    std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
+    if (pixels.empty() || !steps.render(pixels, {begin, end}, seed)) return;
+  }
 }
 
 }  // namespace facet

@@ -23,16 +23,20 @@ struct PixelError {
 
 }  // namespace
 
-double estimate_relmse(const Film& film) {
-  if (!film.has_squares) return 0;
-  const auto count = static_cast<double>(film.pixels.size());
+double relmse_epsilon(const Film& film) {
   double luminance_sum = 0;
   for (const PixelSums& p : film.pixels) {
     const auto& v = p.values;
     if (p.samples > 0) luminance_sum += (0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2]) / p.samples;
   }
-  const double hundredth = 0.01 * luminance_sum / count;
-  const double epsilon = hundredth * hundredth;
+  const double hundredth = 0.01 * luminance_sum / static_cast<double>(film.pixels.size());
+  return hundredth * hundredth;
+}
+
+double estimate_relmse(const Film& film) {
+  if (!film.has_squares) return 0;
+  const auto count = static_cast<double>(film.pixels.size());
+  const double epsilon = relmse_epsilon(film);
   double total = 0;
   for (const PixelSums& p : film.pixels) {
     const double n = p.samples;

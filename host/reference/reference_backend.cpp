@@ -37,20 +37,27 @@ class ReferenceRendering : public RecordedRendering {
 
   void run(const ProgressCallback& progress) override {
     start_ = std::chrono::steady_clock::now();
-    std::vector<std::size_t> pixels(film_.pixels.size());
-    std::iota(pixels.begin(), pixels.end(), std::size_t{0});
-    if (settings_.adaptive) {
-      run_adaptively(std::move(pixels), progress);
-    } else {
-      passes(pixels, settings_.samples, progress);
+    if (!settings_.adaptive) {
+      passes(all_pixels(), settings_.samples, progress);
+      return;
     }
+    const auto add = [&](const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+                         std::uint32_t seed) {
+      settings_.seed = seed;
+      return passes(pixels, samples, progress);
+    };
+    const auto restart = [&](std::uint64_t samples) {
+      film_ = blank_film(settings_);
+      statistics_.planned = statistics_.samples + samples;
+    };
+    const auto count = static_cast<std::uint32_t>(film_.pixels.size());
+    render_adaptively(settings_.samples_per_pixel(), settings_.seed, count,
+                      {add, [this] { return film_; }, restart});
   }
 
   std::vector<Radiance> sample(std::uint32_t index) override {
     std::vector<Radiance> radiances(film_.pixels.size());
-    std::vector<std::size_t> pixels(film_.pixels.size());
-    std::iota(pixels.begin(), pixels.end(), std::size_t{0});
-    pass(pixels, {index, index + 1}, [&](std::size_t pixel, const Vec3<Real>& radiance) {
+    pass(all_pixels(), {index, index + 1}, [&](std::size_t pixel, const Vec3<Real>& radiance) {
       const Vec3<float> r(radiance);
       radiances[pixel] = {r.x, r.y, r.z};
     });
@@ -62,29 +69,14 @@ class ReferenceRendering : public RecordedRendering {
  private:
   Film sums() const override { return film_; }
 
-  /// The pilot, whose film is thrown away, then ever more samples of ever fewer pixels.
-  void run_adaptively(std::vector<std::size_t> pixels, const ProgressCallback& progress) {
-    const std::uint32_t mean = settings_.samples_per_pixel();
-    const std::uint32_t pilot = pilot_samples(mean);
-    const std::uint32_t seed = settings_.seed;
-    settings_.seed = pilot_seed(seed);
-    if (!passes(pixels, {0, pilot / 2}, progress)) return;
-    const Film first_half = film_;
-    if (!passes(pixels, {pilot / 2, pilot}, progress)) return;
-    const std::vector<std::uint32_t> counts = allocate_samples(first_half, film_, mean);
-    settings_.seed = seed;
-    film_ = blank_film(settings_);
-    statistics_.planned = statistics_.samples;
-    for (const std::uint32_t count : counts) statistics_.planned += count;
-    std::uint32_t begin = 0;
-    for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
-      std::erase_if(pixels, [&](std::size_t p) { return counts[p] < end; });
-      if (pixels.empty() || !passes(pixels, {begin, end}, progress)) return;
-    }
+  [[nodiscard]] std::vector<std::uint32_t> all_pixels() const {
+    std::vector<std::uint32_t> pixels(film_.pixels.size());
+    std::iota(pixels.begin(), pixels.end(), 0U);
+    return pixels;
   }
 
   /// Samples of some pixels, told to `progress`; returns whether to go on.
-  bool passes(const std::vector<std::size_t>& pixels, const SampleRange& samples,
+  bool passes(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
               const ProgressCallback& progress) {
     const auto most =
         static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / pixels.size()));
@@ -102,7 +94,8 @@ class ReferenceRendering : public RecordedRendering {
 
   /// Adds samples of some pixels to the film, and shows each to `look`.
   template <typename Look>
-  void pass(const std::vector<std::size_t>& pixels, const SampleRange& samples, const Look& look) {
+  void pass(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+            const Look& look) {
     std::atomic<std::uint64_t> closest{0};
     std::atomic<std::uint64_t> any{0};
     std::atomic<std::uint64_t> bad{0};

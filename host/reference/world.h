@@ -35,14 +35,10 @@ class World {
         static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     for (double& w : weights) {
       if (!(w > 0)) continue;
-      w = (settings.integrator.emitter_selection != EmitterSelection::uniform ? w / total : 0) +
-          1 / shining;
+      w = (integrator.emitter_selection != EmitterSelection::uniform ? w / total : 0) + 1 / shining;
     }
     choice_ = Choice(weights);
-    const IntegratorType& type = integrator.type;
-    if (settings.integrator.emitter_selection == EmitterSelection::contribution &&
-        type.emitter_sampling && !type.every_emitter)
-      plant_tree();
+    if (integrator.wants_light_tree()) plant_tree();
   }
 
   /// The BSDF of a point, seen from above.

@@ -67,6 +67,11 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
   scene_.add_to(map);
   state_.add_to(map);
   map[shared::BINDING_listed_pixels] = &listed_;
+  if (settings_.adaptive) {
+    std::vector<std::uint32_t> all(film_.pixel_count());
+    std::iota(all.begin(), all.end(), 0U);
+    listed_.upload(all);
+  }
   for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
     film_.add_to(map, piece);
     bound_.push_back(program_.bind(map));
@@ -176,14 +181,20 @@ bool Renderer::tell(const ProgressCallback& progress) {
   return !progress || progress(done, statistics_);
 }
 
+bool Renderer::run_waves(std::size_t film_piece, std::uint32_t first, std::uint32_t count,
+                         const SampleRange& samples, const ProgressCallback& progress) {
+  const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
+  for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
+    run_wave(make_wave(film_piece, first, count, k, std::min(per_wave, samples.end - k)));
+    if (!tell(progress)) return false;
+  }
+  return true;
+}
+
 bool Renderer::render_all(const SampleRange& samples, const ProgressCallback& progress) {
   for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
     for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
-      const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
-      for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
-        run_wave(make_wave(piece, first, count, k, std::min(per_wave, samples.end - k)));
-        if (!tell(progress)) return false;
-      }
+      if (!run_waves(piece, first, count, samples, progress)) return false;
     }
   }
   return true;
@@ -192,20 +203,14 @@ bool Renderer::render_all(const SampleRange& samples, const ProgressCallback& pr
 bool Renderer::render_listed(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
                              const ProgressCallback& progress) {
   listed_.upload(pixels);
-  std::size_t begin = 0;
+  std::uint32_t begin = 0;
   for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
     const auto [first_pixel, pixel_count] = film_.pieces()[piece];
-    const auto last =
-        std::lower_bound(pixels.begin(), pixels.end(), first_pixel + pixel_count) - pixels.begin();
-    while (begin < static_cast<std::size_t>(last)) {
-      const auto first = static_cast<std::uint32_t>(begin);
-      const auto count = static_cast<std::uint32_t>(
-          std::min<std::size_t>(static_cast<std::size_t>(last) - begin, state_.slots()));
-      const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
-      for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
-        run_wave(make_wave(piece, first, count, k, std::min(per_wave, samples.end - k)));
-        if (!tell(progress)) return false;
-      }
+    const auto last = static_cast<std::uint32_t>(
+        std::lower_bound(pixels.begin(), pixels.end(), first_pixel + pixel_count) - pixels.begin());
+    while (begin < last) {
+      const std::uint32_t count = std::min(last - begin, state_.slots());
+      if (!run_waves(piece, begin, count, samples, progress)) return false;
       begin += count;
     }
   }
@@ -221,35 +226,23 @@ void Renderer::render_evenly(const ProgressCallback& progress) {
   }
 }
 
-void Renderer::render_adaptively(const ProgressCallback& progress) {
-  const std::uint32_t mean = settings_.samples_per_pixel();
-  const std::uint32_t pilot = pilot_samples(mean);
-  std::vector<std::uint32_t> pixels(film_.pixel_count());
-  std::iota(pixels.begin(), pixels.end(), 0U);
-  seed_ = pilot_seed(settings_.seed);
-  if (!render_listed(pixels, {0, pilot / 2}, progress)) return;
-  const Film first_half = film();
-  if (!render_listed(pixels, {pilot / 2, pilot}, progress)) return;
-  const std::vector<std::uint32_t> counts = allocate_samples(first_half, film(), mean);
-  film_.clear();
-  seed_ = settings_.seed;
-  statistics_.planned =
-      statistics_.samples + std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  // Twice as many from round to round, of ever fewer pixels.
-  std::uint32_t begin = 0;
-  for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
-    std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
-    if (pixels.empty() || !render_listed(pixels, {begin, end}, progress)) return;
-  }
-}
-
 void Renderer::render(const ProgressCallback& progress) {
   start_ = std::chrono::steady_clock::now();
-  if (settings_.adaptive) {
-    render_adaptively(progress);
-  } else {
+  if (!settings_.adaptive) {
     render_evenly(progress);
+    return;
   }
+  const auto add = [&](const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+                       std::uint32_t seed) {
+    seed_ = seed;
+    return render_listed(pixels, samples, progress);
+  };
+  const auto restart = [&](std::uint64_t samples) {
+    film_.clear();
+    statistics_.planned = statistics_.samples + samples;
+  };
+  render_adaptively(settings_.samples_per_pixel(), settings_.seed, film_.pixel_count(),
+                    {add, [this] { return film(); }, restart});
 }
 
 std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {

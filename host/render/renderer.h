@@ -46,6 +46,10 @@ class Renderer {
   void compile_kernels();
   /// Calls `progress`; returns whether to go on.
   bool tell(const ProgressCallback& progress);
+  /// Samples [begin, end) of `count` pixels of a piece of the film from `first` on; returns whether
+  /// to go on.
+  bool run_waves(std::size_t film_piece, std::uint32_t first, std::uint32_t count,
+                 const SampleRange& samples, const ProgressCallback& progress);
   /// Samples [begin, end) of all pixels, or of those of the crop that are listed, in ascending
   /// order; return whether to go on.
   bool render_all(const SampleRange& samples, const ProgressCallback& progress);
@@ -53,7 +57,6 @@ class Renderer {
                      const ProgressCallback& progress);
   /// Passes of 1, 1, 2, 4, ... samples, which give an early picture of the whole.
   void render_evenly(const ProgressCallback& progress);
-  void render_adaptively(const ProgressCallback& progress);
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                std::uint32_t pixel_count, std::uint32_t first_sample,
                                std::uint32_t sample_count) const;
@@ -79,7 +82,7 @@ class Renderer {
   SceneBuffers scene_;
   PathState state_;
   FilmBuffers film_;
-  gpu::Buffer listed_;  ///< pixels of passes, where they are listed
+  gpu::Buffer listed_;  ///< pixels of passes, where they are listed; at first all
   KernelProgram program_;
   std::vector<gpu::BoundBuffers> bound_;  ///< one a piece of the film
   RenderKernels kernels_;

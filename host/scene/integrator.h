@@ -56,6 +56,11 @@ struct Integrator {
     if (type.interactions < 0) return max_depth;
     return max_depth < 0 ? type.interactions : std::min(max_depth, type.interactions);
   }
+  /// Whether emitters are to be chosen by what they contribute: where one of them is sampled.
+  [[nodiscard]] bool wants_light_tree() const {
+    return emitter_selection == EmitterSelection::contribution && type.emitter_sampling &&
+           !type.every_emitter;
+  }
   /// Whether light is estimated at all, so that a scene without emitters is black.
   [[nodiscard]] bool needs_emitters() const {
     return type.emitter_sampling || type.material_sampling;

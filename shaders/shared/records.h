@@ -179,8 +179,9 @@ struct FrameRecord {
   uint crop_y;
   uint crop_width;
   uint crop_height;
-  uint unused3;
-  uint max_depth;  // surface interactions, NONE: unlimited
+  float environment_irradiance;  // on a surface that sees all of the half above it, W m^-2, over
+                                 // the energy of the light tree
+  uint max_depth;                // surface interactions, NONE: unlimited
   uint emitter_count;
   uint environment_emitter;  // index of the environment, NONE without
   uint environment_width;    // texels
@@ -192,11 +193,6 @@ struct FrameRecord {
                           // squares stay in range
   vec4 simple_position;   // of the `simple` integrator's light, world space
   vec4 simple_energy;     // rgb: its energy over 4 pi^2
-  float environment_irradiance;  // on a surface that sees all of the half above it, W m^-2, over
-                                 // the energy of the light tree
-  uint unused0;
-  uint unused1;
-  uint unused2;
 };
 
 struct RayRecord {
@@ -282,7 +278,7 @@ static_assert(sizeof(BsdfRecord) == 80 && sizeof(EmitterRecord) == 64 &&
               sizeof(EmitterTriangle) == 16 && sizeof(LightNode) == 48 &&
               sizeof(EmitterPlace) == 16);
 static_assert(sizeof(TextureRecord) == 48);
-static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 176 &&
+static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 &&
               sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);
 static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);

@@ -79,5 +79,17 @@ TEST(AdaptiveKernels, have_the_same_expectation) {
   expect_no_bias(mean, render(scene, 1 << 14).image);
 }
 
+// The samples that one may look at singly are those of every pixel, in order.
+TEST(AdaptiveKernels, show_the_samples_of_every_pixel) {
+  const Scene scene = rare_light();
+  RenderSettings settings = adaptive(scene, 32, Sampler::independent, 1);
+  const auto look = [&] {
+    return Renderer(device(), pack_scene(scene, settings)).render_sample(3);
+  };
+  const std::vector<Radiance> listed = look();
+  settings.adaptive = false;
+  EXPECT_EQ(listed, look());
+}
+
 }  // namespace
 }  // namespace facet::test

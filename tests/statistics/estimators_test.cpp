@@ -123,15 +123,20 @@ TEST(EstimatorChoices, emitter_selection_and_heuristic_keep_the_expectation) {
   expect_agreement(usual, uniform(3), "balance, power heuristic");
 }
 
+/// A floor under a lamp and a sky with a sun.
+void add_floor_lamp_and_sky(Scene& scene, float roughness, float height, const Color& sun) {
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
+           bsdf::RoughSubstrate{Color(0.4F), roughness});
+  add_mesh(scene, make_quad({0, height, 0}, {1, height, 0}, {1, height, 1}, {0, height, 1}),
+           bsdf::Diffuse{}, Color(3, 2, 1));
+  EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
+  sky.texels[8 * 2 + 3] = sun;
+  scene.emitters.emplace_back(sky);
+}
+
 TEST(EstimatorChoices, area_emitter_and_environment_together) {
   Scene scene = make_scene("direct_ems");
-  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
-           bsdf::RoughSubstrate{Color(0.4F), 0.2F});
-  add_mesh(scene, make_quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}), bsdf::Diffuse{},
-           Color(3, 2, 1));
-  EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
-  sky.texels[8 * 2 + 3] = Color(9, 8, 7);
-  scene.emitters.emplace_back(sky);
+  add_floor_lamp_and_sky(scene, 0.2F, 1, Color(9, 8, 7));
   set_camera(scene, 24, 40, {-2, 2, -2}, {0, 0, 0});
   const Image ems = estimate(scene, "direct_ems", 1, 2048);
   expect_agreement(ems, estimate(scene, "direct_mats", 2, 2048), "ems, mats");
@@ -142,20 +147,14 @@ TEST(EstimatorChoices, area_emitter_and_environment_together) {
 TEST(EstimatorChoices, all_kinds_of_emitters_by_what_they_contribute) {
   Scene scene = make_scene("path_mis");
   scene.integrator.max_depth = 3;
-  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
-           bsdf::RoughSubstrate{Color(0.4F), 0.3F});
+  add_floor_lamp_and_sky(scene, 0.3F, 1.5F, Color(3));
   Mesh pane = make_sphere(2, false);
   transform(pane, 0.5F, {-0.5F, 0.7F, 0});
   add_mesh(scene, pane, bsdf::RoughDielectric{Color(0.9F), 0.4F});
   Mesh lamp = make_sphere(2, false);
   transform(lamp, 0.2F, {1, 0.6F, 0.5F});
   add_mesh(scene, lamp, bsdf::Diffuse{}, Color(6, 5, 4));
-  add_mesh(scene, make_quad({0, 1.5F, 0}, {1, 1.5F, 0}, {1, 1.5F, 1}, {0, 1.5F, 1}),
-           bsdf::Diffuse{}, Color(3, 2, 1));
   scene.emitters.emplace_back(PointLight{{-1, 1.5F, -1}, Color(0.7F)});
-  EnvironmentEmitter sky{8, 4, std::vector<Color>(32, Color(0.1F))};
-  sky.texels[8 * 2 + 3] = Color(3, 3, 3);
-  scene.emitters.emplace_back(sky);
   set_camera(scene, 24, 50, {-2, 2, -2}, {0, 0.3, 0});
   const Image mis = estimate(scene, "path_mis", 1, 2048);
   expect_agreement(mis, estimate(scene, "path_ems", 2, 2048), "mis, ems");

@@ -1,6 +1,6 @@
 // The light tree from first principles: its bounds hold what they say, what can light a point has a
 // probability, and the probabilities are those with which sources are chosen.
-#include "accel/light_tree.h"
+#include "scene/emitter/light_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include "reference/emitter/light_tree.h"
 #include "shared/records.h"
 #include "statistics/pearson.h"
+#include "support/scenes.h"
 
 namespace facet::test {
 namespace {
@@ -44,7 +45,7 @@ class LightTreeTest : public testing::Test {
     for (vec3& c : l.corners) c = vec3(at + point(size));
     l.normal = glm::normalize(glm::cross(dvec3(l.corners[1]) - dvec3(l.corners[0]),
                                          dvec3(l.corners[2]) - dvec3(l.corners[0])));
-    l.source = bound_source(l.corners, std::array{l.normal});
+    l.source = piece_source(make_mesh({l.corners.begin(), l.corners.end()}), 0, 1);
     l.source.energy = number(0.01, 5);
     l.source.mesh = mesh;
     return l;

@@ -1,10 +1,10 @@
 #pragma once
-#include "accel/light_tree.h"
 #include "reference/choice.h"
 #include "reference/emitter/piece.h"
 #include "reference/emitter/sample.h"
 #include "reference/surface.h"
 #include "reference/texture.h"
+#include "scene/emitter/light_tree.h"
 
 namespace facet::reference {
 
@@ -70,20 +70,8 @@ class AreaLight {
   [[nodiscard]] std::size_t piece_of(std::uint32_t triangle) const { return piece_of_[triangle]; }
   [[nodiscard]] double piece_area(std::size_t piece) const { return areas_[piece]; }
   [[nodiscard]] LightSource source(std::size_t piece) const {
-    const Mesh& mesh = scene_.meshes[mesh_];
-    std::vector<vec3> corners;
-    std::vector<dvec3> normals;
-    for (std::size_t k = 0; k < pieces_[piece].triangle_count(); ++k) {
-      const std::size_t i = pieces_[piece].first + k;
-      const std::array<vec3, 3> c = triangle_corners(mesh, i);
-      corners.insert(corners.end(), c.begin(), c.end());
-      normals.push_back(
-          glm::normalize(glm::cross(dvec3(c[1]) - dvec3(c[0]), dvec3(c[2]) - dvec3(c[0]))));
-      if (mesh.normal_indices.empty() || mesh.normal_indices[i].x == none) continue;
-      const uvec3& n = mesh.normal_indices[i];
-      normals.insert(normals.end(), {mesh.normals[n.x], mesh.normals[n.y], mesh.normals[n.z]});
-    }
-    LightSource s = bound_source(corners, normals);
+    const EmittingPiece& p = pieces_[piece];
+    LightSource s = piece_source(scene_.meshes[mesh_], p.first, p.triangle_count());
     s.energy = luminance_ * areas_[piece];
     s.mesh = mesh_;
     return s;

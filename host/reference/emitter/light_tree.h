@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "accel/light_tree.h"
 #include "reference/choice.h"
 #include "reference/grid.h"
 #include "reference/probe.h"
 #include "reference/real.h"
+#include "scene/emitter/light_tree.h"
 
 namespace facet::reference {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "accel/light_tree.h"
 #include "reference/emitter/sample.h"
 #include "reference/surface.h"
+#include "scene/emitter/light_tree.h"
 
 namespace facet::reference {
 

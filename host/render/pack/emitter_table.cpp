@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <numbers>
 
-#include "accel/light_tree.h"
 #include "render/pack/choice.h"
 #include "render/pack/emitter_pieces.h"
+#include "scene/emitter/light_tree.h"
 
 namespace facet {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Whether a setting has emitters chosen by what they contribute: where one is chosen at all.
-bool wants_tree(const RenderSettings& settings) {
-  return settings.integrator.emitter_selection == EmitterSelection::contribution &&
-         settings.integrator.type.emitter_sampling && !settings.integrator.type.every_emitter;
-}
 
 /// Turns powers into the weights of the settings' way to choose emitters (docs/sampling.md,
 /// "Emitter sample").
@@ -34,26 +28,22 @@ void select_emitters(std::vector<double>& weights, EmitterSelection selection) {
   }
 }
 
-/// Unit normals of a triangle: by its winding, and of its vertices.
-void add_normals(const Mesh& mesh, std::size_t triangle, std::vector<dvec3>& normals) {
-  const auto [a, b, c] = triangle_corners(mesh, triangle);
-  normals.push_back(glm::normalize(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a))));
-  if (mesh.normal_indices.empty() || mesh.normal_indices[triangle].x == none) return;
-  for (int k = 0; k < 3; ++k) normals.emplace_back(mesh.normals[mesh.normal_indices[triangle][k]]);
-}
-
 class Maker {
  public:
   Maker(const Scene& scene, const RenderSettings& settings, double radius,
         const PlacesOfMesh& places_of)
-      : scene_(scene), settings_(settings), radius_(radius), places_of_(places_of) {}
+      : scene_(scene),
+        selection_(settings.integrator.emitter_selection),
+        wants_tree_(settings.integrator.wants_light_tree()),
+        radius_(radius),
+        places_of_(places_of) {}
 
   EmitterTable make() {
     std::vector<double> powers;
     for (std::uint32_t e = 0; e < scene_.emitters.size(); ++e) powers.push_back(add_emitter(e));
     choose_by_power(powers);
     const std::size_t choices = sources_.size() + (sky_luminance_ > 0 ? 1 : 0);
-    if (wants_tree(settings_) && !sources_.empty() && choices > 1) plant_tree();
+    if (wants_tree_ && !sources_.empty() && choices > 1) plant_tree();
     return std::move(table_);
   }
 
@@ -95,8 +85,7 @@ class Maker {
 
   /// Triangles in order of reading, with the counts of the choice by area.
   double add_area(const AreaEmitter& light, std::uint32_t e, shared::EmitterRecord& record) {
-    const Mesh& mesh = scene_.meshes[light.mesh];
-    const std::vector<EmitterPiece> pieces = emitter_pieces(mesh);
+    const std::vector<EmitterPiece> pieces = emitter_pieces(scene_.meshes[light.mesh]);
     const std::vector<std::uint32_t> places = places_of_(light.mesh);
     record.radiance = glm::vec4(light.radiance, 0);
     record.texture = light.texture;
@@ -111,7 +100,7 @@ class Maker {
       t.corner = pieces[i].corner;
       table_.triangles.push_back(t);
       areas_.push_back(pieces[i]);
-      if (pieces[i].weight > 0) add_piece(mesh, light.mesh, pieces[i], radiance, {e, i});
+      if (pieces[i].weight > 0) add_piece(light.mesh, pieces[i], radiance, {e, i});
     }
     count_words(record.first_triangle, pieces, table_.triangles);
     // Kernels without branches look at the first triangle even of an emitter that has none and is
@@ -120,18 +109,13 @@ class Maker {
     return pi * total * radiance;
   }
 
-  void add_piece(const Mesh& mesh, std::uint32_t index, const EmitterPiece& piece, double radiance,
+  void add_piece(std::uint32_t mesh, const EmitterPiece& piece, double radiance,
                  const Origin& origin) {
-    std::vector<vec3> corners;
-    std::vector<dvec3> normals;
-    const bool alone = piece.corner == shared::NO_CORNER;
-    for (std::size_t i = origin.triangle - (alone ? 0 : 1); i <= origin.triangle; ++i) {
-      for (const vec3& c : triangle_corners(mesh, i)) corners.push_back(c);
-      add_normals(mesh, i, normals);
-    }
-    LightSource source = bound_source(corners, normals);
+    if (!wants_tree_) return;
+    const std::size_t count = piece.corner == shared::NO_CORNER ? 1 : 2;
+    LightSource source = piece_source(scene_.meshes[mesh], origin.triangle + 1 - count, count);
     source.energy = radiance * piece.weight;
-    source.mesh = index;
+    source.mesh = mesh;
     add_source(source, origin);
   }
 
@@ -159,7 +143,7 @@ class Maker {
   }
 
   void choose_by_power(std::vector<double>& weights) {
-    select_emitters(weights, settings_.integrator.emitter_selection);
+    select_emitters(weights, selection_);
     const std::vector<std::uint32_t> counts = cumulative_counts(weights);
     for (std::size_t i = 0; i < counts.size(); ++i) {
       table_.emitters[i].cumulative = counts[i];
@@ -218,7 +202,8 @@ class Maker {
   }
 
   const Scene& scene_;
-  const RenderSettings& settings_;
+  EmitterSelection selection_;
+  bool wants_tree_;
   double radius_;
   const PlacesOfMesh& places_of_;
   EmitterTable table_;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/maths.h"
+#include "scene/scene.h"
 
 namespace facet {
 
@@ -19,10 +19,9 @@ struct LightSource {
   std::uint32_t mesh = none;  ///< sources of one mesh may share a leaf; none: a leaf of its own
 };
 
-/// A source of one or two neighbouring triangles: its box, and the cone of these normals, which are
-/// unit vectors.
-[[nodiscard]] LightSource bound_source(std::span<const vec3> corners,
-                                       std::span<const dvec3> normals);
+/// The bounds of a piece of a mesh, its triangles [first, first + count); mesh and energy are the
+/// caller's.
+[[nodiscard]] LightSource piece_source(const Mesh& mesh, std::size_t first, std::size_t count);
 
 struct LightTree {
   /// A node: what is known of the sources below it.

@@ -1,4 +1,4 @@
-#include "accel/light_tree.h"
+#include "scene/emitter/light_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -77,6 +77,10 @@ double cost(const Emission& b) {
          (static_cast<double>(b.box.half_area()) + 1e-3 * glm::dot(extent, extent));
 }
 
+double center_of(const LightSource& s, int axis) {
+  return (static_cast<double>(s.box.lower[axis]) + static_cast<double>(s.box.upper[axis])) / 2;
+}
+
 class LightTreeBuilder {
  public:
   explicit LightTreeBuilder(std::span<const LightSource> sources) : sources_(sources) {
@@ -102,10 +106,6 @@ class LightTreeBuilder {
   [[nodiscard]] Emission emission_of(std::size_t place) const {
     const LightSource& s = source(place);
     return {s.box, {s.axis, s.cosine}, s.energy};
-  }
-  [[nodiscard]] double center(std::size_t place, int axis) const {
-    const Box& box = source(place).box;
-    return (static_cast<double>(box.lower[axis]) + static_cast<double>(box.upper[axis])) / 2;
   }
 
   [[nodiscard]] bool is_leaf(std::size_t begin, std::size_t end, const Box& box) const {
@@ -164,11 +164,8 @@ class LightTreeBuilder {
       const Plane plane = best_plane(begin, end, box);
       if (std::isfinite(plane.cost)) {
         const Span span = span_of(begin, end, plane.axis);
-        const auto middle = std::stable_partition(first, last, [&](std::uint32_t s) {
-          const Box& b = sources_[s].box;
-          return span.bin((static_cast<double>(b.lower[plane.axis]) +
-                           static_cast<double>(b.upper[plane.axis])) /
-                          2) < plane.bin;
+        const auto middle = std::stable_partition(first, last, [&](std::uint32_t i) {
+          return span.bin(center_of(sources_[i], plane.axis)) < plane.bin;
         });
         return static_cast<std::size_t>(middle - tree_.order.begin());
       }
@@ -190,8 +187,8 @@ class LightTreeBuilder {
   [[nodiscard]] Span span_of(std::size_t begin, std::size_t end, int axis) const {
     Span span;
     for (std::size_t i = begin; i < end; ++i) {
-      span.lower = std::min(span.lower, center(i, axis));
-      span.upper = std::max(span.upper, center(i, axis));
+      span.lower = std::min(span.lower, center_of(source(i), axis));
+      span.upper = std::max(span.upper, center_of(source(i), axis));
     }
     return span;
   }
@@ -206,7 +203,7 @@ class LightTreeBuilder {
       if (!(span.lower < span.upper)) continue;
       std::array<Emission, bin_count> bins;
       for (std::size_t i = begin; i < end; ++i)
-        bins.at(span.bin(center(i, axis))).add(emission_of(i));
+        bins.at(span.bin(center_of(source(i), axis))).add(emission_of(i));
       std::array<double, bin_count> above{};
       Emission swept;
       for (std::size_t b = bin_count; b-- > 1;) {
@@ -231,9 +228,17 @@ class LightTreeBuilder {
 
 }  // namespace
 
-LightSource bound_source(std::span<const vec3> corners, std::span<const dvec3> normals) {
+LightSource piece_source(const Mesh& mesh, std::size_t first, std::size_t count) {
   LightSource s;
-  for (const vec3& c : corners) s.box.add(c);
+  std::vector<dvec3> normals;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const auto [a, b, c] = triangle_corners(mesh, i);
+    for (const vec3& corner : {a, b, c}) s.box.add(corner);
+    normals.push_back(glm::normalize(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a))));
+    if (mesh.normal_indices.empty() || mesh.normal_indices[i].x == none) continue;
+    const uvec3& n = mesh.normal_indices[i];
+    normals.insert(normals.end(), {mesh.normals[n.x], mesh.normals[n.y], mesh.normals[n.z]});
+  }
   dvec3 sum(0);
   for (const dvec3& n : normals) sum += n;
   if (!(glm::length(sum) > 0)) return s;
