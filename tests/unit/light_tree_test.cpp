@@ -92,6 +92,27 @@ double angle_between(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+// A mesh shines to the side of its shading normals: they count as the geometric one does.
+TEST_F(LightTreeTest, a_source_holds_all_normals_of_its_triangles) {
+  for (int i = 0; i < 200; ++i) {
+    Mesh mesh = make_mesh({vec3(point(1)), vec3(point(1)), vec3(point(1))});
+    const auto [a, b, c] = triangle_corners(mesh, 0);
+    const dvec3 geometric = glm::normalize(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a)));
+    const double bend = i < 100 ? 0.5 : 3;
+    for (int k = 0; k < 3; ++k)
+      mesh.normals.emplace_back(glm::normalize(geometric + bend * direction()));
+    mesh.normal_indices = {uvec3(0, 1, 2)};
+    const LightSource source = piece_source(mesh, 0, 1);
+    const double half_angle = std::acos(source.cosine);
+    EXPECT_LE(angle_between(source.axis, geometric), half_angle + 1e-6);
+    for (const vec3& n : mesh.normals)
+      EXPECT_LE(angle_between(source.axis, dvec3(n)), half_angle + 1e-6);
+    if (i < 100) {
+      EXPECT_GT(source.cosine, 0) << "half of a unit turns no normal by more than 30 degrees";
+    }
+  }
+}
+
 TEST_F(LightTreeTest, every_node_holds_what_lies_below_it) {
   const std::vector<Lamp> all = lamps(9, 40);
   const LightTree tree = build_light_tree(sources_of(all));
