@@ -31,7 +31,10 @@ PilotFilms make_pilot(int width, int height, std::uint32_t mean, const Deviation
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const double v = std::exp(deviation(x, y) * normal(random));
-        films.all.pixels[static_cast<std::size_t>(y * width + x)].add({v, v, v});
+        films.all
+            .pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x)]
+            .add({v, v, v});
       }
     }
   }
@@ -68,7 +71,8 @@ TEST(Allocation, pixels_of_more_variance_get_more) {
   for (int y = 4; y < 60; ++y) {
     for (int x = 4; x < 60; ++x) {
       if (x >= 28 && x < 36) continue;
-      (x < 32 ? quiet : noisy) += counts[static_cast<std::size_t>(y * 64 + x)];
+      (x < 32 ? quiet : noisy) +=
+          counts[static_cast<std::size_t>(y) * 64 + static_cast<std::size_t>(x)];
     }
   }
   EXPECT_GT(noisy, 8 * quiet);

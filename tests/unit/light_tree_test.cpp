@@ -64,6 +64,7 @@ class LightTreeTest : public testing::Test {
 
   static std::vector<LightSource> sources_of(const std::vector<Lamp>& lamps) {
     std::vector<LightSource> sources;
+    sources.reserve(lamps.size());
     for (const Lamp& l : lamps) sources.push_back(l.source);
     return sources;
   }
@@ -172,6 +173,7 @@ TEST_F(LightTreeTest, whatever_can_light_a_point_has_a_probability) {
 TEST_F(LightTreeTest, sources_are_chosen_as_often_as_their_probability_says) {
   const std::vector<Lamp> all = lamps(4, 10);
   std::vector<double> weights;
+  weights.reserve(all.size());
   for (const Lamp& l : all) weights.push_back(l.source.energy);
   const LightChooser chooser(sources_of(all), weights);
   reference::Unwatched probe;

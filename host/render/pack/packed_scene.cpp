@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "render/pack/bsdf_record.h"
 #include "render/pack/emitter_table.h"
+#include "render/pack/filter_table.h"
 #include "render/pack/texture_table.h"
 #include "scene/bsdf/albedo_table.h"
 
