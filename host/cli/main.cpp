@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again)
       return facet::cli::fail(
-          "cannot process_start another thread: a limit of processes or of memory is reached",
+          "cannot start another thread: a limit of processes or of memory is reached",
           facet::cli::ExitCode::device_failed);
     return facet::cli::fail(error.what(), facet::cli::ExitCode::device_failed);
   }

@@ -43,7 +43,7 @@ class MergeJob {
     check_gaps();
     check_squares();
     film_ = merge(parts_);
-    relmse_ = estimate_relmse(film_);
+    error_ = estimate_error(film_);
     heavy_tails_ = find_heavy_tails(film_);
     written_ = write_images(options_.outputs, make_part(film_, wants_variance(options_.aovs)),
                             options_.exposure);
@@ -103,7 +103,7 @@ class MergeJob {
         {"output", written_},
     });
     if (film_.has_squares) {
-      json["error_estimate"] = {{"relmse", relmse_}, {"relative", std::sqrt(relmse_)}};
+      json["error_estimate"] = json_of(error_);
       json["heavy_tails"] = json_of(heavy_tails_);
     }
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -121,7 +121,7 @@ class MergeJob {
   const MergeOptions& options_;
   PartSet parts_;
   Film film_;
-  double relmse_ = 0;  ///< estimated
+  ErrorEstimate error_;
   HeavyTails heavy_tails_;
   std::vector<std::string> written_;  ///< files
 };
@@ -140,7 +140,7 @@ void add_merge_command(CommandLine& line) {
                "Refuse unless the parts hold just the samples A:B together (B excluded)");
   command.flag("--allow-gaps", o.allow_gaps,
                "Merge although samples between the parts are missing");
-  add_aov_option(command, o.aovs);
+  add_aov_option(command, o.aovs, false);
   add_exposure_option(command, o.exposure);
   add_report_options(command, o.json, o.quiet);
   command.action([options] { return MergeJob(*options).run(); });

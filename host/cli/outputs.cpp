@@ -1,5 +1,8 @@
 #include "cli/outputs.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -41,13 +44,24 @@ std::string write_image(const std::string& file, const Image& image, float expos
 
 bool is_exr(const std::string& file) { return output_format(file) == ImageFormat::exr; }
 
-void add_aov_option(Command& command, std::vector<std::string>& aovs) {
-  command.list("--aov", aovs, "Further EXR channels: variance (of each pixel's mean)",
-               {"variance"});
+void add_aov_option(Command& command, std::vector<std::string>& aovs, bool with_error) {
+  std::string help = "Further EXR channels: variance (of each pixel's mean";
+  std::vector<std::string> names{"variance"};
+  if (with_error) {
+    help +=
+        ", as if its samples were independent), error (standard error of each pixel's mean, "
+        "whatever the sampler";
+    names.emplace_back("error");
+  }
+  command.list("--aov", aovs, help + ")", names);
 }
 
 bool wants_variance(const std::vector<std::string>& aovs) {
   return std::find(aovs.begin(), aovs.end(), "variance") != aovs.end();
+}
+
+bool wants_error(const std::vector<std::string>& aovs) {
+  return std::find(aovs.begin(), aovs.end(), "error") != aovs.end();
 }
 
 void add_exposure_option(Command& command, float& exposure) {
@@ -98,6 +112,22 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
     if (is_exr(file)) continue;
     throw InputError(fmt::format("{}: a PNG's sides are at most {} pixels; write an EXR", file,
                                  largest_png_side));
+  }
+}
+
+void try_writing(const std::vector<std::string>& files, const Image& image, float exposure) {
+  for (const std::string& file : files) {
+    const std::filesystem::path path(file);
+    std::error_code unknown;
+    if (std::filesystem::is_other(path, unknown)) continue;
+    const std::filesystem::path trial =
+        path.parent_path() /
+        fmt::format(".facet-trial-{}{}", ::getpid(), path.extension().string());
+    try {
+      facet::write_image(trial, image, {.exposure = exposure});
+    } catch (const InputError&) {
+    }
+    std::filesystem::remove(trial, unknown);
   }
 }
 

@@ -15,9 +15,10 @@ void print_warnings(const Diagnostics& diagnostics);
 
 [[nodiscard]] bool is_exr(const std::string& file);
 
-/// --aov: names of further EXR channels.
-void add_aov_option(Command& command, std::vector<std::string>& aovs);
+/// --aov: names of further EXR channels; with_error: also of those that only a render can fill.
+void add_aov_option(Command& command, std::vector<std::string>& aovs, bool with_error);
 [[nodiscard]] bool wants_variance(const std::vector<std::string>& aovs);
+[[nodiscard]] bool wants_error(const std::vector<std::string>& aovs);
 
 /// --exposure: stops by which PNG images are brightened.
 void add_exposure_option(Command& command, float& exposure);
@@ -38,6 +39,10 @@ void check_no_input_is_written(const std::vector<std::string>& outputs,
 
 /// Throws InputError if one of the images is a PNG and the size is more than a PNG takes.
 void check_png_size(const std::vector<std::string>& images, int width, int height);
+
+/// Writes the image beside every file, under another name, and removes it again: for how long that
+/// takes. Errors are left to the writing itself.
+void try_writing(const std::vector<std::string>& files, const Image& image, float exposure);
 
 /// Writes the image to every file, in the format that its extension names; then throws InputError
 /// if one of them could not be written. Returns where they are: an image whose folder was removed

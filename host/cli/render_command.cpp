@@ -3,6 +3,7 @@
 
 #include <future>
 #include <memory>
+#include <random>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -10,6 +11,7 @@
 #include "cli/progress.h"
 #include "cli/render_options.h"
 #include "cli/render_report.h"
+#include "convergence/error_estimate.h"
 #include "core/print.h"
 #include "core/text_file.h"
 #include "door/warnings.h"
@@ -19,6 +21,19 @@
 namespace facet::cli {
 
 namespace {
+
+/// What a film of that size could be, as far as its handling takes time.
+Film noise_film(int width, int height) {
+  Film film = make_film(width, height, {0, 0, width, height}, true);
+  std::mt19937 random(1);
+  for (PixelSums& pixel : film.pixels) {
+    for (int k = 0; k < 2; ++k) {
+      const auto value = [&] { return static_cast<double>(random()) * 0x1p-32; };
+      pixel.add({value(), value(), value()});
+    }
+  }
+  return film;
+}
 
 /// One render, from options to files.
 class RenderJob {
@@ -33,6 +48,7 @@ class RenderJob {
     auto opening =
         std::async(std::launch::async, [&] { return open_backend(options_.backend.options()); });
     load();
+    set_deadline();
     const std::unique_ptr<Backend> backend = opening.get();
     render(*backend);
     const std::vector<std::string> messages = backend->validation_messages();
@@ -41,6 +57,7 @@ class RenderJob {
     write();
     report();
     print_failings(outcome_.statistics);
+    warn_about_goals(outcome_);
     warn_about_heavy_tails(outcome_.heavy_tails);
     if (outcome_.interrupted) return ExitCode::interrupted;
     return messages.empty() && outcome_.statistics.bound_hits == 0 ? ExitCode::done
@@ -58,26 +75,51 @@ class RenderJob {
     check_no_input_is_written(outputs, diagnostics.inputs());
     catch_interrupts();
     request_ = make_request(options_);
-    // Sums of squares serve the variance channels and the error estimates of the report and the
-    // progress bar.
-    request_.variance = wants_variance(options_.aovs) || !options_.json.empty() ||
-                        (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
+    request_.variance = wants_variance(options_.aovs);
+    // The report and the progress bar tell the error.
+    request_.estimate_error = !options_.json.empty() || wants_error(options_.aovs) ||
+                              (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
+    if (options_.time) request_.deadline = Clock::now();
     const RenderSettings settings = resolve(*scene_, request_);
+    size_ = {settings.crop_width(), settings.crop_height()};
     check_png_size(outcome_.files, settings.crop_width(), settings.crop_height());
     warn_about_render(*scene_, settings, diagnostics, options_.backend.in_double());
     print_warnings(diagnostics);
     outcome_.scene = options_.scene;
     outcome_.triangles = scene_->triangle_count();
     outcome_.emitters = scene_->emitters.size();
+    outcome_.error_goal = request_.error;
+    outcome_.time_goal = options_.time;
     outcome_.is_pixel = request_.pixel.has_value();
     outcome_.load_seconds = seconds_since_start() - start;
+  }
+
+  /// How long it will take from the last sample to the end: tried with noise, which compresses
+  /// worse than an image, of not too many rows.
+  [[nodiscard]] double seconds_after_rendering() const {
+    constexpr int most_pixels = 1 << 18;
+    const int rows = std::clamp(most_pixels / size_.width, 1, size_.height);
+    const Film noise = noise_film(size_.width, rows);
+    const double start = seconds_since_start();
+    RenderOutcome trial = outcome_;
+    keep(noise, trial);
+    try_writing(outcome_.files, trial.image, options_.exposure);
+    constexpr double ending_the_program = 0.03;
+    return ending_the_program + (seconds_since_start() - start) * size_.height / rows;
+  }
+
+  void set_deadline() {
+    if (!options_.time) return;
+    const double left = *options_.time - seconds_since_start() - seconds_after_rendering();
+    request_.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(left));
   }
 
   void render(Backend& backend) {
     const std::unique_ptr<Rendering> rendering = backend.start(scene_, request_);
     Progress progress(options_.quiet,
-                      request_.variance
-                          ? [&] { return std::sqrt(estimate_relmse(rendering->film())); }
+                      request_.estimate_error
+                          ? [&] { return estimate_error(rendering->film()).relative(); }
                           : std::function<double()>{});
     rendering->run([&](double done, const RenderStatistics& statistics) {
       progress.update(done, statistics);
@@ -85,18 +127,21 @@ class RenderJob {
     });
     progress.finish();
     outcome_.statistics = rendering->statistics();
-    keep(rendering->film());
+    keep(rendering->film(), outcome_);
   }
 
-  void keep(Film film) {
-    outcome_.record = film.record;
-    outcome_.relmse = estimate_relmse(film);
-    outcome_.heavy_tails = find_heavy_tails(film);
+  void keep(Film film, RenderOutcome& outcome) const {
+    outcome.record = film.record;
+    outcome.error = estimate_error(film);
+    outcome.heavy_tails = find_heavy_tails(film);
+    const bool with_error = wants_error(options_.aovs);
+    const ColorPlane errors = with_error ? standard_errors(film) : ColorPlane();
     const bool with_variance = wants_variance(options_.aovs);
     // What a part holds does not depend on who looked on.
     film.has_squares = with_variance;
-    outcome_.image =
+    outcome.image =
         request_.sample_range ? make_part(film, with_variance) : develop(film, with_variance);
+    if (with_error) outcome.image = with_errors(outcome.image, errors);
   }
 
   void write() {
@@ -118,6 +163,7 @@ class RenderJob {
   const RenderOptions& options_;
   ScenePtr scene_;
   RenderRequest request_;
+  ImageSize size_;  ///< of what is rendered
   RenderOutcome outcome_;
 };
 

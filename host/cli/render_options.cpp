@@ -77,10 +77,17 @@ void add_render_options(Command& command, RenderOptions& o) {
                 "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png "
                 "here");
   add_backend_options(command, o.backend);
+  command.text(
+      "--error", o.error,
+      "Render until the relative error of the image (root of relMSE) is at most this, 1% or "
+      "0.01, with 95 % confidence; --spp is the most samples then");
+  command.number("--time", o.time, 1e-3, 1e9,
+                 "End within so many seconds, starting and writing included; --spp is the most "
+                 "samples then");
   command.flag("--adaptive", o.request.adaptive,
                "Pixels get samples by their variance, --spp on average");
   add_sampling_option(command, o.request.sampling, true);
-  add_aov_option(command, o.aovs);
+  add_aov_option(command, o.aovs, true);
   add_exposure_option(command, o.exposure);
 }
 
@@ -99,7 +106,19 @@ RenderRequest make_request(const RenderOptions& o) {
     const auto v = parse_integers<2>(*o.sample_range, ':', "--sample-range", "A:B");
     request.sample_range = {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1])};
   }
+  if (o.error) request.error = parse_relative_error(*o.error);
   return request;
+}
+
+double parse_relative_error(const std::string& text) {
+  std::string_view number = text;
+  const bool percent = number.ends_with('%');
+  if (percent) number = trimmed(number.substr(0, number.size() - 1));
+  const auto value = parse_real(number);
+  if (!value || !(*value > 0))
+    throw InputError(
+        fmt::format("--error \"{}\": a positive relative error expected, as 1% or 0.01", text));
+  return percent ? *value / 100 : *value;
 }
 
 Overridden overridden_by(const RenderOptions& o) {

@@ -19,6 +19,8 @@ struct RenderOptions {
   std::optional<std::string> crop;
   std::optional<std::string> pixel;
   std::optional<std::string> sample_range;
+  std::optional<std::string> error;
+  std::optional<double> time;  ///< seconds, of the whole process
   BackendChoice backend;
   std::vector<std::string> aovs;
   float exposure = 0;
@@ -44,6 +46,9 @@ void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uni
 
 /// The whole request. Throws InputError for what cannot be parsed.
 [[nodiscard]] RenderRequest make_request(const RenderOptions& options);
+
+/// A relative error: "1%" or "0.01". Throws InputError for anything else.
+[[nodiscard]] double parse_relative_error(const std::string& text);
 
 /// What of the scene the options replace.
 [[nodiscard]] Overridden overridden_by(const RenderOptions& options);

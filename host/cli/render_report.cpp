@@ -16,6 +16,14 @@ namespace facet::cli {
 
 namespace {
 
+/// After a colon, where there was a goal.
+std::string why_it_stopped(const RenderOutcome& o) {
+  if (o.record.stopped_by == StoppedBy::error)
+    return fmt::format(": the {:g} % that were asked for", 100 * *o.error_goal);
+  if (o.record.stopped_by == StoppedBy::time) return ": the time was over";
+  return "";
+}
+
 double per_second(const RenderStatistics& s, std::uint64_t count) {
   return s.render_seconds > 0 ? static_cast<double>(count) / s.render_seconds : 0;
 }
@@ -59,7 +67,7 @@ std::string make_json_report(const RenderOutcome& o) {
       {"rays", {{"closest", s.closest_rays}, {"any", s.any_rays}}},
       {"samples_per_second", per_second(s, s.samples)},
       {"rays_per_second", per_second(s, s.closest_rays + s.any_rays)},
-      {"error_estimate", {{"relmse", o.relmse}, {"relative", std::sqrt(o.relmse)}}},
+      {"error_estimate", json_of(o.error)},
       {"heavy_tails", json_of(o.heavy_tails)},
       {"bad_samples", s.bad_samples},
       {"bound_hits", s.bound_hits},
@@ -78,6 +86,9 @@ void print_summary(const RenderOutcome& o) {
   say("{:.2f} s on {}: {}samples/s, {}rays/s; {:.2f} s in all\n", s.render_seconds, o.record.device,
       with_unit_prefix(per_second(s, s.samples)) + " ",
       with_unit_prefix(per_second(s, s.closest_rays + s.any_rays)) + " ", seconds_since_start());
+  if (o.error.relmse > 0)
+    say("estimated error {:.2g} %, at most {:.2g} % with 95 % confidence{}\n",
+        100 * o.error.relative(), 100 * o.error.relative_upper(0.95), why_it_stopped(o));
   if (!o.files.empty()) say("wrote {}\n", fmt::join(o.files, " and "));
 }
 
@@ -102,6 +113,26 @@ void warn_about_heavy_tails(const HeavyTails& tails) {
       "samples, and carry {:.0f} % of the variance, as {} do\n",
       tails.pixels, HeavyTails::few, tails.samples, std::floor(100 * tails.variance_share),
       fmt::join(worst, ", "));
+}
+
+void warn_about_goals(const RenderOutcome& o) {
+  if (o.error_goal && o.error.relative_upper(0.95) > *o.error_goal && !o.interrupted)
+    say("warning: the error of {:g} % that was asked for is not reached: {}\n", 100 * *o.error_goal,
+        o.record.stopped_by == StoppedBy::time ? "the time was over"
+                                               : "there are no more samples than --spp says");
+  if (o.time_goal && seconds_since_start() > 1.05 * *o.time_goal)
+    say("warning: {:g} s were not enough: starting, {} sample{} a pixel and writing took {:.2f} "
+        "s\n",
+        *o.time_goal, o.record.samples.count(), o.record.samples.count() == 1 ? "" : "s",
+        seconds_since_start());
+}
+
+nlohmann::ordered_json json_of(const ErrorEstimate& estimate) {
+  return {{"relmse", estimate.relmse},
+          {"relative", estimate.relative()},
+          {"relative_upper95", estimate.relative_upper(0.95)},
+          {"replicates", estimate.replicates},
+          {"probes", estimate.probes}};
 }
 
 nlohmann::ordered_json json_of(const HeavyTails& tails) {

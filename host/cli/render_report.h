@@ -3,10 +3,11 @@
 #include <facet/film.h>
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "image/error_estimate.h"
+#include "convergence/heavy_tails.h"
 
 namespace facet::cli {
 
@@ -18,7 +19,9 @@ struct RenderOutcome {
   RenderStatistics statistics;
   Image image;
   bool is_pixel = false;  ///< whether the image is one pixel that was asked for
-  double relmse = 0;      ///< estimated
+  ErrorEstimate error;
+  std::optional<double> error_goal;  ///< relative error that was to be reached
+  std::optional<double> time_goal;   ///< seconds of the process that were to be enough
   HeavyTails heavy_tails;
   double load_seconds = 0;
   double write_seconds = 0;
@@ -37,6 +40,12 @@ void print_summary(const RenderOutcome& outcome);
 
 /// To standard error: what must not happen.
 void print_failings(const RenderStatistics& statistics);
+
+/// To standard error, where an error or a time that was asked for was not kept.
+void warn_about_goals(const RenderOutcome& outcome);
+
+/// For reports in JSON.
+[[nodiscard]] nlohmann::ordered_json json_of(const ErrorEstimate& estimate);
 
 /// To standard error, where the estimated error of an image is not to be trusted.
 void warn_about_heavy_tails(const HeavyTails& tails);

@@ -31,6 +31,10 @@ inline constexpr std::array lobe_sampling_words{Word{LobeSampling::ndf, "ndf"},
 inline constexpr std::array precision_words{Word{Precision::float_, "float"},
                                             Word{Precision::double_, "double"}};
 
+inline constexpr std::array stopped_by_words{
+    Word{StoppedBy::samples, "samples"}, Word{StoppedBy::error, "error"},
+    Word{StoppedBy::time, "time"}, Word{StoppedBy::interrupt, "interrupt"}};
+
 /// The words alone, of the first `count`.
 template <typename Words>
 [[nodiscard]] std::vector<std::string> names_of(const Words& words,

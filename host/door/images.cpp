@@ -2,6 +2,7 @@
 
 #include "compare/flip.h"
 #include "compare/metrics.h"
+#include "convergence/error_estimate.h"
 #include "core/error.h"
 #include "image/files.h"
 #include "parts/merge.h"
@@ -19,9 +20,9 @@ void write_image(const std::filesystem::path& path, const Image& image,
 }
 
 void write_image(const std::filesystem::path& path, const Film& film, const WriteOptions& options) {
-  write_image(path,
-              options.part ? make_part(film, options.variance) : develop(film, options.variance),
-              options);
+  const Image image =
+      options.part ? make_part(film, options.variance) : develop(film, options.variance);
+  write_image(path, options.error ? with_errors(image, standard_errors(film)) : image, options);
 }
 
 Film merge_parts(const std::vector<std::string>& files) {

@@ -25,7 +25,7 @@ std::array<double, 3> PixelSums::mean() const {
 }
 
 Film make_film(int width, int height, const ImageWindow& window, bool with_squares) {
-  Film film{width, height, window, with_squares, {}, {}};
+  Film film{width, height, window, with_squares, {}, {}, {}};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
 }
@@ -34,6 +34,18 @@ double variance_of_mean(double sum, double squares, double n) {
   if (n < 2) return 0;
   const double mean = sum / n;
   return std::max(0.0, squares / n - mean * mean) / (n - 1);
+}
+
+Image with_channels(const Image& image, const std::vector<std::string>& more) {
+  std::vector<std::string> channels = image.channels();
+  channels.insert(channels.end(), more.begin(), more.end());
+  Image wider(image.width(), image.height(), channels);
+  wider.window = image.window;
+  wider.metadata = image.metadata;
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  std::copy_n(image.plane(0), pixels * image.channels().size(), wider.plane(0));
+  return wider;
 }
 
 Image develop(const Film& film, bool with_variance) {

@@ -11,4 +11,7 @@ namespace facet {
 /// samples.
 [[nodiscard]] double variance_of_mean(double sum, double squares, double n);
 
+/// The image with further channels, which are zero.
+[[nodiscard]] Image with_channels(const Image& image, const std::vector<std::string>& more);
+
 }  // namespace facet

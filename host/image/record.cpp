@@ -134,12 +134,11 @@ constexpr std::array fields{
     RecordField{"facet.seconds", nullptr, true, nullptr, "seconds", false, "a time",
                 [](const R& r) -> Text { return fmt::format("{:.3f}", r.seconds); },
                 [](R& r, const std::string& t) { return set_seconds(t, r.seconds); }},
-    RecordField{"facet.complete", nullptr, false, nullptr, "completeness", false, any_text,
-                [](const R& r) -> Text { return r.complete ? "yes" : "no: interrupted"; },
-                [](R& r, const std::string& t) {
-                  r.complete = t == "yes";
-                  return true;
-                }},
+    RecordField{
+        "facet.stoppedBy", "stopped_by", false, nullptr, "reason to stop", false,
+        "samples, error, time or interrupt",
+        [](const R& r) -> Text { return word_of(stopped_by_words, r.stopped_by); },
+        [](R& r, const std::string& t) { return set_word(stopped_by_words, t, r.stopped_by); }},
 };
 
 }  // namespace

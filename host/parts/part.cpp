@@ -164,16 +164,6 @@ void check_means(const Film& film, const Image& image, const std::string& file) 
   }
 }
 
-Image with_channels(const Image& image, const std::vector<std::string>& channels) {
-  Image wider(image.width(), image.height(), channels);
-  wider.window = image.window;
-  wider.metadata = image.metadata;
-  const std::size_t pixels =
-      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
-  std::copy_n(image.plane(0), pixels * image.channels().size(), wider.plane(0));
-  return wider;
-}
-
 }  // namespace
 
 Image make_part(const Film& film, bool with_variance) {
@@ -183,7 +173,7 @@ Image make_part(const Film& film, bool with_variance) {
   round_to_pairs(kept, &PixelSums::values, sum_exponent);
   round_to_pairs(kept, &PixelSums::squares, square_exponent);
   Image image = develop(kept, with_variance);
-  std::vector<std::string> channels = image.channels();
+  std::vector<std::string> channels;
   for (const std::string color : colors) PairPlanes::name(channels, "sum." + color, false);
   if (film.has_squares) {
     for (const std::string color : colors) PairPlanes::name(channels, "square." + color, false);

@@ -68,7 +68,7 @@ PartFile open_part(const std::string& file) {
                                  ours ? "a whole image and " : "", how_to_make_one));
   }
   part.record = read_record(file, part.header);
-  if (!part.record.complete) {
+  if (part.record.stopped_by == StoppedBy::interrupt) {
     throw InputError(fmt::format(
         "{}: its render was interrupted: it lacks some of its samples {}; render them again", file,
         part.record.samples.text()));

@@ -1,11 +1,13 @@
 #include "reference/reference_backend.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <numeric>
 
+#include "convergence/sampling_plan.h"
 #include "core/clock.h"
 #include "core/parallel.h"
-#include "image/allocation.h"
 #include "reference/crop.h"
 #include "reference/reference_bsdf_evaluator.h"
 #include "reference/tracer.h"
@@ -24,78 +26,85 @@ constexpr Precision precision_of = sizeof(Real) == sizeof(double) ? Precision::d
                                                                   : Precision::float_;
 
 template <typename Real>
-class ReferenceRendering : public RecordedRendering {
+class ReferenceRendering : public RecordedRendering, private SampleSource {
  public:
   ReferenceRendering(const Backend& backend, ScenePtr scene, const RenderSettings& settings)
       : RecordedRendering(backend, "reference", precision_of<Real>, *scene, settings),
         scene_(std::move(scene)),
         settings_(settings),
         world_(*scene_, settings_),
-        film_(blank_film(settings_)) {
+        films_{blank_film(settings_), blank_film(settings_)} {
     statistics_.planned = settings_.total_samples();
   }
 
   void run(const ProgressCallback& progress) override {
     start_ = std::chrono::steady_clock::now();
-    if (!settings_.adaptive) {
-      passes(all_pixels(), settings_.samples, progress);
-      return;
-    }
-    const auto add = [&](const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
-                         std::uint32_t seed) {
-      settings_.seed = seed;
-      return passes(pixels, samples, progress);
-    };
-    const auto restart = [&](std::uint64_t samples) {
-      film_ = blank_film(settings_);
-      statistics_.planned = statistics_.samples + samples;
-    };
-    const auto count = static_cast<std::uint32_t>(film_.pixels.size());
-    render_adaptively(settings_.samples_per_pixel(), settings_.seed, count,
-                      {add, [this] { return film_; }, restart});
+    progress_ = progress;
+    note(render_samples(settings_.goal(), *this));
   }
 
   std::vector<Radiance> sample(std::uint32_t index) override {
-    std::vector<Radiance> radiances(film_.pixels.size());
-    pass(all_pixels(), {index, index + 1}, [&](std::size_t pixel, const Vec3<Real>& radiance) {
-      const Vec3<float> r(radiance);
-      radiances[pixel] = {r.x, r.y, r.z};
-    });
+    std::vector<Radiance> radiances(image().pixels.size());
+    pass(image(), all_pixels(), settings_.seed, {index, index + 1},
+         [&](std::size_t pixel, const Vec3<Real>& radiance) {
+           const Vec3<float> r(radiance);
+           radiances[pixel] = {r.x, r.y, r.z};
+         });
     return radiances;
   }
 
+  Film film() const override {
+    Film film = film_of(settings_.goal(), *this);
+    film.record = record();
+    return film;
+  }
   const RenderStatistics& statistics() const override { return statistics_; }
 
  private:
-  Film sums() const override { return film_; }
+  [[nodiscard]] Film& image() { return films_.front(); }
 
-  [[nodiscard]] std::vector<std::uint32_t> all_pixels() const {
-    std::vector<std::uint32_t> pixels(film_.pixels.size());
+  [[nodiscard]] PixelList all_pixels() const {
+    PixelList pixels(films_.front().pixels.size());
     std::iota(pixels.begin(), pixels.end(), 0U);
     return pixels;
   }
 
-  /// Samples of some pixels, told to `progress`; returns whether to go on.
-  bool passes(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
-              const ProgressCallback& progress) {
+  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
+           std::uint32_t seed) override {
+    return passes(films_.at(static_cast<std::size_t>(to)),
+                  pixels == nullptr ? all_pixels() : *pixels, seed, samples);
+  }
+  Film sums(Sums of) const override { return films_.at(static_cast<std::size_t>(of)); }
+  void clear(Sums which) override {
+    films_.at(static_cast<std::size_t>(which)) = blank_film(settings_);
+  }
+  void expect(double samples) override {
+    statistics_.planned = std::max(statistics_.samples, static_cast<std::uint64_t>(samples));
+  }
+
+  /// Samples of some pixels, told to the progress; returns whether to go on.
+  bool passes(Film& film, const PixelList& pixels, std::uint32_t seed, const SampleRange& samples) {
     const auto most =
         static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / pixels.size()));
     for (std::uint32_t sample = samples.begin; sample < samples.end;) {
       const std::uint32_t end = sample + std::min(most, samples.end - sample);
-      pass(pixels, {sample, end}, [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
+      pass(film, pixels, seed, {sample, end},
+           [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
       statistics_.render_seconds = seconds_since(start_);
       const double done =
           static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
-      if (progress && !progress(done, statistics_)) return false;
+      if (progress_ && !progress_(std::min(done, 1.0), statistics_)) return false;
       sample = end;
     }
     return true;
   }
 
-  /// Adds samples of some pixels to the film, and shows each to `look`.
+  /// Adds samples of some pixels to a film, and shows each to `look`.
   template <typename Look>
-  void pass(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
+  void pass(Film& film, const PixelList& pixels, std::uint32_t seed, const SampleRange& samples,
             const Look& look) {
+    RenderSettings settings = settings_;
+    settings.seed = seed;
     std::atomic<std::uint64_t> closest{0};
     std::atomic<std::uint64_t> any{0};
     std::atomic<std::uint64_t> bad{0};
@@ -105,7 +114,7 @@ class ReferenceRendering : public RecordedRendering {
       for (std::size_t k = begin; k < stop; ++k) {
         const std::size_t i = pixels[k];
         for (std::uint32_t sample = samples.begin; sample < samples.end; ++sample) {
-          const CropSample at(settings_, i, sample);
+          const CropSample at(settings, i, sample);
           Unwatched unwatched;
           Tracer<Real, Unwatched> tracer(world_, at.id, unwatched);
           const Vec3<Real> radiance = tracer.radiance(at.x, at.y);
@@ -117,7 +126,7 @@ class ReferenceRendering : public RecordedRendering {
             continue;
           }
           const Vec3<Real> value = radiance * world_.camera.filter_sample(at.id).weight;
-          film_.pixels[i].add({value.x, value.y, value.z});
+          film.pixels[i].add({value.x, value.y, value.z});
         }
       }
       closest += counts.closest;
@@ -133,7 +142,8 @@ class ReferenceRendering : public RecordedRendering {
   ScenePtr scene_;
   RenderSettings settings_;
   World<Real> world_;
-  Film film_;
+  std::array<Film, 2> films_;  ///< the image's sums, and the trial's
+  ProgressCallback progress_;
   RenderStatistics statistics_;
   std::chrono::steady_clock::time_point start_;
 };

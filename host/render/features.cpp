@@ -52,7 +52,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   const int limit = settings.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
-  f.pixel_list = settings.adaptive;
+  f.pixel_list = settings.adaptive || settings.probes;
   f.negative_filter = ends_negative(scene.camera.filter);
   f.visible_normals = settings.sampling == LobeSampling::visible;
   // Without a single emitter there is nothing to sample.
@@ -107,7 +107,7 @@ std::vector<std::string> Features::names() const {
   if (sampler != Sampler::independent) list.push_back("sampler " + std::string(name_of(sampler)));
   if (shading_normals) list.emplace_back("vertex normals");
   if (variance) list.emplace_back("variance");
-  if (pixel_list) list.emplace_back("adaptive sampling");
+  if (pixel_list) list.emplace_back("lists of pixels");
   if (negative_filter) list.emplace_back("negative filter");
   return list;
 }

@@ -13,15 +13,18 @@ class KernelRendering : public RecordedRendering {
       : RecordedRendering(backend, "vulkan", Precision::float_, scene, settings),
         renderer_(backend.device(), pack_scene(scene, settings)) {}
 
-  void run(const ProgressCallback& progress) override { renderer_.render(progress); }
+  void run(const ProgressCallback& progress) override { note(renderer_.render(progress)); }
   std::vector<Radiance> sample(std::uint32_t index) override {
     return renderer_.render_sample(index);
+  }
+  Film film() const override {
+    Film film = renderer_.film();
+    film.record = record();
+    return film;
   }
   const RenderStatistics& statistics() const override { return renderer_.statistics(); }
 
  private:
-  Film sums() const override { return renderer_.film(); }
-
   Renderer renderer_;
 };
 

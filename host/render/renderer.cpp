@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "core/clock.h"
-#include "image/allocation.h"
 
 namespace facet {
 
@@ -35,6 +34,16 @@ std::uint32_t rounds_of(const PackedScene& packed) {
   return std::max(1U, static_cast<std::uint32_t>(packed.emitters.size()));
 }
 
+std::vector<FilmBuffers> make_films(gpu::Device& device, const PackedScene& packed) {
+  std::vector<FilmBuffers> films;
+  // Where pixels are listed, some are of samples that are no part of the image.
+  const int count = packed.features.pixel_list ? 2 : 1;
+  films.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+    films.emplace_back(device, crop_pixels(packed.settings), packed.features.variance);
+  return films;
+}
+
 /// All bindings but those of the kernels that evaluate BSDFs alone.
 std::vector<std::uint32_t> render_bindings() {
   std::vector<std::uint32_t> numbers(shared::BINDING_counters + 1);
@@ -53,10 +62,10 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
       rounds_(rounds_of(packed)),
       scene_(device, packed),
       state_(device, choose_slots(device, packed.settings), rounds_ > 1),
-      film_(device, crop_pixels(packed.settings), packed.features.variance),
+      films_(make_films(device, packed)),
       listed_(
           device,
-          packed.settings.adaptive ? std::uint64_t{film_.pixel_count()} * sizeof(std::uint32_t) : 0,
+          features_.pixel_list ? image().pixel_count() * std::uint64_t{sizeof(std::uint32_t)} : 0,
           "the list of pixels"),
       program_(device, render_bindings(),
                choose_fetch(device, packed, packed.settings.force_storage_buffers)),
@@ -67,14 +76,13 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
   scene_.add_to(map);
   state_.add_to(map);
   map[shared::BINDING_listed_pixels] = &listed_;
-  if (settings_.adaptive) {
-    std::vector<std::uint32_t> all(film_.pixel_count());
-    std::iota(all.begin(), all.end(), 0U);
-    listed_.upload(all);
-  }
-  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
-    film_.add_to(map, piece);
-    bound_.push_back(program_.bind(map));
+  list_pixels(nullptr);
+  for (const FilmBuffers& film : films_) {
+    std::vector<gpu::BoundBuffers>& bound = bound_.emplace_back();
+    for (std::size_t piece = 0; piece < film.pieces().size(); ++piece) {
+      film.add_to(map, piece);
+      bound.push_back(program_.bind(map));
+    }
   }
   if (packed.settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
   // The drivers' share happens here, outside the timed render.
@@ -91,7 +99,7 @@ void Renderer::compile_kernels() {
     device_.run([&](gpu::Commands& c) {
       shared::PassConstants nothing{};
       nothing.pixel_count = 1;
-      c.bind(bound_.front());
+      c.bind(bound_.front().front());
       state_.clear_counters(c, 0);
       c.dispatch(kernel, nothing, 1);
     });
@@ -108,15 +116,15 @@ Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_p
   wave.constants.first_sample = first_sample;
   wave.constants.sample_count = sample_count;
   wave.constants.stride = permutation_stride(pixel_count / shared::WORKGROUP_SIZE);
-  wave.constants.film_first = film_.pieces()[film_piece].first_pixel;
+  wave.constants.film_first = image().pieces()[film_piece].first_pixel;
   wave.constants.seed = seed_;
   return wave;
 }
 
 template <typename Record>
-void Renderer::run_timed(std::size_t film_piece, const Record& record) {
+void Renderer::run_timed(const Wave& wave, const Record& record) {
   device_.run([&](gpu::Commands& c) {
-    c.bind(bound_[film_piece]);
+    c.bind(bound_.at(static_cast<std::size_t>(wave.sums))[wave.film_piece]);
     if (stopwatch_) stopwatch_->start(c);
     record(c);
   });
@@ -155,7 +163,7 @@ void Renderer::run_wave(const Wave& wave) {
   while (more) {
     const std::uint32_t end = limit == 0 ? bounce + bounces_per_submission
                                          : std::min(limit, bounce + bounces_per_submission);
-    run_timed(wave.film_piece, [&](gpu::Commands& c) {
+    run_timed(wave, [&](gpu::Commands& c) {
       if (bounce == 0) state_.clear_counters(c, slots);
       for (; bounce < end; ++bounce) {
         constants.bounce = bounce;
@@ -165,7 +173,7 @@ void Renderer::run_wave(const Wave& wave) {
     });
     more = bounce != limit && state_.read_counters()[shared::COUNTER_ACTIVE + bounce % 2] > 0;
   }
-  run_timed(wave.film_piece, [&](gpu::Commands& c) { record_film(c, constants); });
+  run_timed(wave, [&](gpu::Commands& c) { record_film(c, constants); });
   const Counters counters = state_.read_counters();
   statistics_.closest_rays += counters[shared::COUNTER_CLOSEST_RAYS];
   statistics_.any_rays += counters[shared::COUNTER_ANY_RAYS];
@@ -174,81 +182,81 @@ void Renderer::run_wave(const Wave& wave) {
   statistics_.samples += slots;
 }
 
-bool Renderer::tell(const ProgressCallback& progress) {
+bool Renderer::tell() {
   statistics_.render_seconds = seconds_since(start_);
   const double done =
       static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
-  return !progress || progress(done, statistics_);
+  return !progress_ || progress_(std::min(done, 1.0), statistics_);
 }
 
-bool Renderer::run_waves(std::size_t film_piece, std::uint32_t first, std::uint32_t count,
-                         const SampleRange& samples, const ProgressCallback& progress) {
+void Renderer::list_pixels(const PixelList* pixels) {
+  if (!features_.pixel_list) return;
+  if (pixels != nullptr) {
+    listed_.upload(*pixels);
+    return;
+  }
+  PixelList all(image().pixel_count());
+  std::iota(all.begin(), all.end(), 0U);
+  listed_.upload(all);
+}
+
+bool Renderer::run_waves(Sums to, std::size_t film_piece, std::uint32_t first, std::uint32_t count,
+                         const SampleRange& samples) {
   const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
   for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
-    run_wave(make_wave(film_piece, first, count, k, std::min(per_wave, samples.end - k)));
-    if (!tell(progress)) return false;
+    Wave wave = make_wave(film_piece, first, count, k, std::min(per_wave, samples.end - k));
+    wave.sums = to;
+    run_wave(wave);
+    if (!tell()) return false;
   }
   return true;
 }
 
-bool Renderer::render_all(const SampleRange& samples, const ProgressCallback& progress) {
-  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
-    for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
-      if (!run_waves(piece, first, count, samples, progress)) return false;
+bool Renderer::add_all(Sums to, const SampleRange& samples) {
+  for (std::size_t piece = 0; piece < image().pieces().size(); ++piece) {
+    for (const auto& [first, count] : image().pixel_ranges(piece, state_.slots())) {
+      if (!run_waves(to, piece, first, count, samples)) return false;
     }
   }
   return true;
 }
 
-bool Renderer::render_listed(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
-                             const ProgressCallback& progress) {
-  listed_.upload(pixels);
+bool Renderer::add_listed(Sums to, const PixelList& pixels, const SampleRange& samples) {
   std::uint32_t begin = 0;
-  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
-    const auto [first_pixel, pixel_count] = film_.pieces()[piece];
+  for (std::size_t piece = 0; piece < image().pieces().size(); ++piece) {
+    const auto [first_pixel, pixel_count] = image().pieces()[piece];
     const auto last = static_cast<std::uint32_t>(
         std::lower_bound(pixels.begin(), pixels.end(), first_pixel + pixel_count) - pixels.begin());
     while (begin < last) {
       const std::uint32_t count = std::min(last - begin, state_.slots());
-      if (!run_waves(piece, begin, count, samples, progress)) return false;
+      if (!run_waves(to, piece, begin, count, samples)) return false;
       begin += count;
     }
   }
   return true;
 }
 
-void Renderer::render_evenly(const ProgressCallback& progress) {
-  const auto [begin, end] = settings_.samples;
-  for (std::uint32_t sample = begin; sample < end;) {
-    const std::uint32_t batch = std::min(std::max(sample - begin, 1U), end - sample);
-    if (!render_all({sample, sample + batch}, progress)) return;
-    sample += batch;
-  }
+bool Renderer::add(Sums to, const PixelList* pixels, const SampleRange& samples,
+                   std::uint32_t seed) {
+  seed_ = seed;
+  list_pixels(pixels);
+  return pixels == nullptr ? add_all(to, samples) : add_listed(to, *pixels, samples);
 }
 
-void Renderer::render(const ProgressCallback& progress) {
+void Renderer::expect(double samples) {
+  statistics_.planned = std::max(statistics_.samples, static_cast<std::uint64_t>(samples));
+}
+
+SamplingOutcome Renderer::render(const ProgressCallback& progress) {
   start_ = std::chrono::steady_clock::now();
-  if (!settings_.adaptive) {
-    render_evenly(progress);
-    return;
-  }
-  const auto add = [&](const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
-                       std::uint32_t seed) {
-    seed_ = seed;
-    return render_listed(pixels, samples, progress);
-  };
-  const auto restart = [&](std::uint64_t samples) {
-    film_.clear();
-    statistics_.planned = statistics_.samples + samples;
-  };
-  render_adaptively(settings_.samples_per_pixel(), settings_.seed, film_.pixel_count(),
-                    {add, [this] { return film(); }, restart});
+  progress_ = progress;
+  return render_samples(settings_.goal(), *this);
 }
 
 std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
   std::vector<Radiance> radiances;
-  for (std::size_t piece = 0; piece < film_.pieces().size(); ++piece) {
-    for (const auto& [first, count] : film_.pixel_ranges(piece, state_.slots())) {
+  for (std::size_t piece = 0; piece < image().pieces().size(); ++piece) {
+    for (const auto& [first, count] : image().pixel_ranges(piece, state_.slots())) {
       Wave wave = make_wave(piece, first, count, sample, 1);
       // Not permuted: slots in the order of the pixels.
       wave.constants.stride = 1;
@@ -260,21 +268,23 @@ std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
   return radiances;
 }
 
-Film Renderer::film() const {
+Film Renderer::sums(Sums of) const {
   Film film = make_film(settings_.crop_width(), settings_.crop_height(), settings_.window(),
                         features_.variance);
-  film_.read(film, square_scale_);
+  films_.at(static_cast<std::size_t>(of)).read(film, square_scale_);
   return film;
 }
+
+Film Renderer::film() const { return film_of(settings_.goal(), *this); }
 
 std::vector<shared::RayRecord> Renderer::camera_rays() {
   shared::PassConstants constants{};
   constants.seed = seed_;
-  constants.pixel_count = std::min(state_.slots(), film_.pixel_count());
+  constants.pixel_count = std::min(state_.slots(), image().pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
   device_.run([&](gpu::Commands& c) {
-    c.bind(bound_.front());
+    c.bind(bound_.front().front());
     c.dispatch(kernels_.camera(), constants, workgroups(constants.pixel_count));
   });
   return state_.read_rays(constants.pixel_count);

@@ -2,6 +2,7 @@
 // Renders a scene on a device: wavefront path tracing in bounded passes.
 #include <facet/backend.h>
 
+#include "convergence/sampling_plan.h"
 #include "gpu/stopwatch.h"
 #include "render/film_buffers.h"
 #include "render/path_state.h"
@@ -12,15 +13,13 @@
 namespace facet {
 
 /// A scene on a device, ready to be rendered once.
-class Renderer {
+class Renderer : private SampleSource {
  public:
   /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
   Renderer(gpu::Device& device, const PackedScene& packed);
-  Renderer(const Renderer&) = delete;
-  Renderer& operator=(const Renderer&) = delete;
 
-  /// Renders all samples, or as many as `progress` lets it.
-  void render(const ProgressCallback& progress);
+  /// Renders until the settings' goal is met, or as long as `progress` lets it.
+  SamplingOutcome render(const ProgressCallback& progress);
 
   [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
   /// Seconds of each stage, where the settings ask for them.
@@ -39,24 +38,29 @@ class Renderer {
  private:
   /// One pass: samples of pixels of one piece of the film.
   struct Wave {
+    Sums sums = Sums::image;
     std::size_t film_piece = 0;
     shared::PassConstants constants{};
   };
 
+  // As a source of samples.
+  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
+           std::uint32_t seed) override;
+  [[nodiscard]] Film sums(Sums of) const override;
+  void clear(Sums which) override { films_.at(static_cast<std::size_t>(which)).clear(); }
+  void expect(double samples) override;
+
   void compile_kernels();
-  /// Calls `progress`; returns whether to go on.
-  bool tell(const ProgressCallback& progress);
-  /// Samples [begin, end) of `count` pixels of a piece of the film from `first` on; returns whether
-  /// to go on.
-  bool run_waves(std::size_t film_piece, std::uint32_t first, std::uint32_t count,
-                 const SampleRange& samples, const ProgressCallback& progress);
-  /// Samples [begin, end) of all pixels, or of those of the crop that are listed, in ascending
-  /// order; return whether to go on.
-  bool render_all(const SampleRange& samples, const ProgressCallback& progress);
-  bool render_listed(const std::vector<std::uint32_t>& pixels, const SampleRange& samples,
-                     const ProgressCallback& progress);
-  /// Passes of 1, 1, 2, 4, ... samples, which give an early picture of the whole.
-  void render_evenly(const ProgressCallback& progress);
+  /// Lists pixels of the crop for the kernels that read lists: all, or some in ascending order.
+  void list_pixels(const PixelList* pixels);
+  /// Calls the progress; returns whether to go on.
+  bool tell();
+  /// Samples of `count` pixels of a piece of the film, or of the list, from `first` on; returns
+  /// whether to go on.
+  bool run_waves(Sums to, std::size_t film_piece, std::uint32_t first, std::uint32_t count,
+                 const SampleRange& samples);
+  bool add_all(Sums to, const SampleRange& samples);
+  bool add_listed(Sums to, const PixelList& pixels, const SampleRange& samples);
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                std::uint32_t pixel_count, std::uint32_t first_sample,
                                std::uint32_t sample_count) const;
@@ -67,8 +71,10 @@ class Renderer {
   void record_film(gpu::Commands& commands, shared::PassConstants constants);
   /// Where stages are timed: records a submission, runs it, and adds up what its stages took.
   template <typename Record>
-  void run_timed(std::size_t film_piece, const Record& record);
+  void run_timed(const Wave& wave, const Record& record);
   void end_stage(const gpu::Commands& commands, Stage stage);
+
+  [[nodiscard]] const FilmBuffers& image() const { return films_.front(); }
 
   gpu::Device& device_;
   RenderSettings settings_;
@@ -78,13 +84,14 @@ class Renderer {
   std::uint32_t rounds_;  ///< of a bounce: one for each emitter where all are sampled
   RenderStatistics statistics_;
   std::chrono::steady_clock::time_point start_;  ///< of rendering
+  ProgressCallback progress_;
   StageSeconds stage_seconds_{};
   SceneBuffers scene_;
   PathState state_;
-  FilmBuffers film_;
-  gpu::Buffer listed_;  ///< pixels of passes, where they are listed; at first all
+  std::vector<FilmBuffers> films_;  ///< the image's sums and, where there are such, the trial's
+  gpu::Buffer listed_;              ///< pixels of passes, where they are listed
   KernelProgram program_;
-  std::vector<gpu::BoundBuffers> bound_;  ///< one a piece of the film
+  std::vector<std::vector<gpu::BoundBuffers>> bound_;  ///< one a piece of each film
   RenderKernels kernels_;
   std::optional<gpu::Stopwatch> stopwatch_;
 };

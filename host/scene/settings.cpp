@@ -1,9 +1,10 @@
 #include "scene/settings.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "convergence/probes.h"
 #include "core/error.h"
-#include "image/allocation.h"
 #include "scene/fingerprint.h"
 #include "scene/reader.h"
 #include "version.h"
@@ -82,18 +83,26 @@ SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
           fmt::format("sample range {}:{}: empty or too large", range.begin, range.end));
     return range;
   }
-  const int count = request.samples.value_or(scene.sample_count);
+  const bool open_ended = request.error || request.deadline;
+  const int count =
+      request.samples.value_or(open_ended ? static_cast<int>(most) : scene.sample_count);
   if (count < 1 || count > static_cast<int>(most))
     throw InputError(fmt::format("{} samples a pixel: 1 to {} expected", count, most));
   return {0, static_cast<std::uint32_t>(count)};
 }
 
-void check_adaptive(const RenderSettings& s, const RenderRequest& request) {
-  if (request.sample_range)
+void check_goals(const RenderSettings& s, const RenderRequest& request) {
+  if (s.adaptive && request.sample_range)
     throw InputError(
         "adaptive sampling and a sample range exclude each other: the pixels of parts have the "
         "same samples");
-  if (s.samples_per_pixel() < least_adaptive_samples)
+  if ((s.error || s.deadline) && request.sample_range)
+    throw InputError(
+        "a sample range says which samples are rendered; an error or a time to stop at would "
+        "leave some of them away");
+  if (s.error && !(*s.error > 0 && std::isfinite(*s.error)))
+    throw InputError(fmt::format("an error of {}: a positive number expected", *s.error));
+  if (s.adaptive && s.samples_per_pixel() < least_adaptive_samples)
     throw InputError(fmt::format("{} samples a pixel: adaptive sampling needs at least {}",
                                  s.samples_per_pixel(), least_adaptive_samples));
 }
@@ -111,9 +120,13 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   s.seed = request.seed.value_or(scene.seed);
   s.masking = request.masking;
   s.sampling = request.sampling;
-  s.variance = request.variance || request.adaptive;
   s.adaptive = request.adaptive;
-  if (s.adaptive) check_adaptive(s, request);
+  s.error = request.error;
+  s.deadline = request.deadline;
+  const bool estimated = request.estimate_error || s.error;
+  s.variance = request.variance || s.adaptive || estimated;
+  s.probes = estimated && !is_independent(s.sampler) && has_probes(s.crop_width(), s.crop_height());
+  check_goals(s, request);
   return s;
 }
 

@@ -2,6 +2,7 @@
 // What is rendered, with every choice made: the scene's word, or the caller's where there is one.
 #include <facet/film.h>
 
+#include "convergence/sampling_plan.h"
 #include "scene/scene.h"
 
 namespace facet {
@@ -18,6 +19,9 @@ struct RenderSettings {
   bool variance = false;  ///< keep sums of squares
   bool adaptive = false;  ///< pixels get samples by their variance; `samples` says how many on
                           ///< average, from 0 on
+  bool probes = false;    ///< some pixels get a second estimate
+  std::optional<double> error;                ///< that is enough; `samples` is the most then
+  std::optional<Clock::time_point> deadline;  ///< likewise
 
   // Of the kernels alone; no result depends on them.
   /// Read from storage buffers even where texel buffers would do; for tests.
@@ -34,6 +38,9 @@ struct RenderSettings {
   [[nodiscard]] std::uint64_t total_samples() const {
     return std::uint64_t{samples_per_pixel()} * static_cast<std::uint64_t>(crop_width()) *
            static_cast<std::uint64_t>(crop_height());
+  }
+  [[nodiscard]] SamplingGoal goal() const {
+    return {crop_width(), crop_height(), samples, seed, adaptive, probes, error, deadline};
   }
   /// The crop's place in the whole image.
   [[nodiscard]] ImageWindow window() const { return {crop.x0, crop.y0, size.width, size.height}; }

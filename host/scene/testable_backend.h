@@ -29,13 +29,7 @@ class RecordedRendering : public Rendering {
   [[nodiscard]] RenderRecord record() const final {
     RenderRecord record = record_;
     record.seconds = statistics().render_seconds;
-    record.complete = statistics().samples == statistics().planned;
     return record;
-  }
-  [[nodiscard]] Film film() const final {
-    Film film = sums();
-    film.record = record();
-    return film;
   }
 
  protected:
@@ -47,10 +41,15 @@ class RecordedRendering : public Rendering {
     record_.precision = precision;
     record_.device = backend.name();
     record_.driver = backend.driver();
+    record_.stopped_by = StoppedBy::interrupt;
   }
 
-  /// The film so far; its record is not looked at.
-  [[nodiscard]] virtual Film sums() const = 0;
+  /// What a render has come to. Until it is told, the record is that of one that was interrupted.
+  void note(const SamplingOutcome& outcome) {
+    record_.stopped_by = outcome.stopped_by;
+    record_.samples = SampleRanges(outcome.samples);
+    record_.adaptive = outcome.adaptive;
+  }
 
  private:
   RenderRecord record_;

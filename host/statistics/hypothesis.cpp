@@ -5,6 +5,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 
 namespace facet::statistics {
 
@@ -35,6 +36,11 @@ double normal_p_value(double z) { return 2 * math::cdf(math::complement(Normal()
 
 double two_sided_normal_quantile(double p) {
   return math::quantile(math::complement(Normal(), p / 2));
+}
+
+double student_quantile(double p, double degrees) {
+  if (!(degrees > 0)) return std::numeric_limits<double>::infinity();
+  return math::quantile(StudentsT(degrees), p);
 }
 
 double sidak_significance(double significance, std::uint64_t tests) {

@@ -17,6 +17,9 @@ namespace facet::statistics {
 /// z with P(|N(0, 1)| > z) = p.
 [[nodiscard]] double two_sided_normal_quantile(double p);
 
+/// t with P(T <= t) = p for Student's T of so many degrees of freedom; infinite without any.
+[[nodiscard]] double student_quantile(double p, double degrees);
+
 /// Significance of each of `tests` independent tests that together err with probability
 /// `significance`: 1 - (1 - s)^(1/n) (Z. Šidák, "Rectangular Confidence Regions for the Means of
 /// Multivariate Normal Distributions", JASA 62, 1967).

@@ -3,6 +3,7 @@
 #include <facet/request.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,10 @@ class SampleRanges {
 /// Precision in which the reference computes.
 enum class Precision { float_, double_ };
 
+/// Why a render ended: it had its samples, its error was small enough, its time was over, or its
+/// caller had enough.
+enum class StoppedBy { samples, error, time, interrupt };
+
 /// How an image was made: all that decides its values, and where and when. The EXR header, the JSON
 /// report, the command that renders a pixel again, and the checks of merging follow from it
 /// (host/image/record.h).
@@ -68,8 +73,8 @@ struct RenderRecord {
   Precision precision = Precision::float_;
   std::string device;
   std::string driver;
-  double seconds = 0;    ///< of rendering
-  bool complete = true;  ///< whether all samples were rendered
+  double seconds = 0;  ///< of rendering
+  StoppedBy stopped_by = StoppedBy::samples;
 };
 
 /// Where an image lies in a larger one, and that one's size.
@@ -133,6 +138,13 @@ struct PixelSums {
   [[nodiscard]] bool operator==(const PixelSums&) const = default;
 };
 
+/// A second estimate of a pixel, of as many samples as the first, which is no part of the image:
+/// what the two differ by tells of their error.
+struct Probe {
+  std::size_t pixel = 0;  ///< of the film
+  PixelSums sums;
+};
+
 /// Pixels of an image or of a crop of it, row by row from the top.
 struct Film {
   int width = 0;
@@ -140,14 +152,37 @@ struct Film {
   ImageWindow window;
   bool has_squares = false;
   std::vector<PixelSums> pixels;
+  std::vector<Probe> probes;  ///< of some pixels, or none
   RenderRecord record;
 
-  /// x and y count from the film's own corner.
-  [[nodiscard]] const PixelSums& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
+  // x and y count from the film's own corner.
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
   }
+  [[nodiscard]] bool holds(int x, int y) const {
+    return x >= 0 && y >= 0 && x < width && y < height;
+  }
+  [[nodiscard]] const PixelSums& at(int x, int y) const { return pixels[index(x, y)]; }
 };
+
+/// What a film says about the error of its image: the relative mean square error, relMSE.
+struct ErrorEstimate {
+  double relmse = 0;             ///< 0 where nothing is known
+  double standard_error = 0;     ///< between the estimate and the error itself
+  double degrees = 0;            ///< of freedom of Student's t, which the two differ by
+  std::uint32_t replicates = 0;  ///< independent estimates of a pixel that are compared
+  std::size_t probes = 0;  ///< pixels with a second estimate; without any, samples are compared
+
+  /// The root.
+  [[nodiscard]] double relative() const { return std::sqrt(relmse); }
+  /// What the root is at most, with a confidence from 0 to 1.
+  [[nodiscard]] double relative_upper(double confidence) const;
+};
+
+/// Estimated by the samples' variances and the probes; 0 for a film without squares. What no sample
+/// has seen, no estimate knows of.
+[[nodiscard]] ErrorEstimate estimate_error(const Film& film);
 
 /// Channels R, G, B: the mean over samples; the record as metadata. With variance also variance.R,
 /// variance.G, variance.B (of the mean), samples and samples.nonzero; the film must have squares

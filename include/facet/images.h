@@ -11,6 +11,7 @@ namespace facet {
 struct WriteOptions {
   float exposure = 0;     ///< of PNGs: stops, a factor of 2^exposure
   bool variance = false;  ///< of EXRs: variance channels; the film must have squares
+  bool error = false;     ///< of EXRs: channels of each pixel's standard error; likewise
   bool part = false;      ///< of EXRs: the sums, too, so that merge_parts can join it with others
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // What a caller asks of a render beyond what the scene says.
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -52,7 +53,7 @@ struct RenderStatistics {
   std::uint64_t closest_rays = 0;  ///< rays that looked for their nearest hit
   std::uint64_t any_rays = 0;      ///< rays that looked for any hit: shadow rays
   std::uint64_t samples = 0;       ///< finished, over all pixels
-  std::uint64_t planned = 0;       ///< samples that there will be in the end
+  std::uint64_t planned = 0;       ///< samples that there will be in the end, as far as is known
   std::uint64_t bad_samples = 0;   ///< dropped: NaN, infinite or negative
   std::uint64_t bound_hits =
       0;                   ///< traversals stopped by their safety bound; the image is wrong there
@@ -64,13 +65,18 @@ struct RenderStatistics {
   std::vector<std::string> features;      ///< what the kernels were compiled for, in words
 };
 
+/// Fewest samples a pixel that a render can be adaptive with.
+inline constexpr std::uint32_t least_adaptive_samples = 16;
+
 /// Called after each pass with the share of the work that is done, from 0 to 1; returns whether to
 /// go on.
 using ProgressCallback = std::function<bool(double done, const RenderStatistics& statistics)>;
 
 /// Wishes of a caller. What is not set follows the scene.
 struct RenderRequest {
-  std::optional<int> samples = {};               ///< of each pixel
+  /// Of each pixel; with `error` or `deadline` the most there may be, and as many as needed where
+  /// it is not set.
+  std::optional<int> samples = {};
   std::optional<SampleRange> sample_range = {};  ///< only these of them, for parts that are merged
   std::optional<std::string> integrator = {};    ///< by its name in the scene language
   std::optional<std::string> sampler = {};       ///< likewise
@@ -83,9 +89,17 @@ struct RenderRequest {
   std::optional<Masking> masking = {};  ///< of every rough BSDF
   std::optional<EmitterSelection> emitter_selection = {};
   LobeSampling sampling = LobeSampling::visible;
-  bool variance = false;  ///< keep sums of squares, from which the error can be estimated
-  /// Pixels get samples by their variance, `samples` on average (at least 16); no sample range.
+  /// Ends as soon as the image's relative error, the root of its relMSE, is at most this with a
+  /// confidence of 95 %. No sample range.
+  std::optional<double> error = {};
+  /// Ends before this time, but with one sample a pixel at least. No sample range.
+  std::optional<std::chrono::steady_clock::time_point> deadline = {};
+  /// Pixels get samples by their variance, `samples` on average (at least 16). No sample range.
   bool adaptive = false;
+  bool variance = false;  ///< keep sums of squares
+  /// Keep what estimate_error() is valid with for every sampler: sums of squares and, where the
+  /// samples of a pixel are not independent, second estimates of some pixels.
+  bool estimate_error = false;
   ProgressCallback progress = {};
 };
 

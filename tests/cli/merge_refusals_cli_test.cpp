@@ -109,7 +109,7 @@ TEST_F(MergeCliTest, InterruptedAndChangedPartsAreRefused) {
     }
     write_exr(folder_.file("b.exr"), image);
   };
-  changed("facet.complete", "no: interrupted");
+  changed("facet.stoppedBy", "interrupt");
   expect_refusal({"b.exr"}, {"b.exr: ", "interrupted", "0:4"});
   changed("facet.samples", "4:0");
   expect_refusal({"b.exr"}, {"b.exr: ", "facet.samples", "4:0"});

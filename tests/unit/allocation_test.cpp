@@ -1,5 +1,5 @@
 // How adaptive sampling gives samples to pixels.
-#include "image/allocation.h"
+#include "convergence/allocation.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +41,11 @@ PilotFilms make_pilot(int width, int height, std::uint32_t mean, const Deviation
   return films;
 }
 
+/// For a mean of so many samples, the pilot's among them.
+std::vector<std::uint32_t> allocate(const Film& first_half, const Film& all, std::uint32_t mean) {
+  return Allocation(first_half, all).counts(mean, mean - pilot_samples(mean));
+}
+
 std::uint64_t sum_of(const std::vector<std::uint32_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
@@ -49,7 +54,7 @@ TEST(Allocation, gives_powers_of_two_within_its_bounds_and_budget) {
   for (const std::uint32_t mean : {16U, 17U, 64U, 100U, 1000U, 100000U}) {
     const PilotFilms films =
         make_pilot(40, 30, mean, [](int x, int y) { return x < 20 ? 0.01 : (y == 7 ? 2.0 : 0.3); });
-    const auto counts = allocate_samples(films.first_half, films.all, mean);
+    const auto counts = allocate(films.first_half, films.all, mean);
     ASSERT_EQ(counts.size(), 1200U);
     for (const std::uint32_t n : counts) {
       EXPECT_TRUE(std::has_single_bit(n));
@@ -65,7 +70,7 @@ TEST(Allocation, gives_powers_of_two_within_its_bounds_and_budget) {
 TEST(Allocation, pixels_of_more_variance_get_more) {
   const PilotFilms films =
       make_pilot(64, 64, 256, [](int x, int /*y*/) { return x < 32 ? 0.02 : 0.6; });
-  const auto counts = allocate_samples(films.first_half, films.all, 256);
+  const auto counts = allocate(films.first_half, films.all, 256);
   double quiet = 0;
   double noisy = 0;
   for (int y = 4; y < 60; ++y) {
@@ -81,7 +86,7 @@ TEST(Allocation, pixels_of_more_variance_get_more) {
 // Where all pixels are alike, what differs in the pilot is chance, and decides little.
 TEST(Allocation, chance_decides_little) {
   const PilotFilms films = make_pilot(64, 64, 256, [](int, int) { return 0.5; });
-  const auto counts = allocate_samples(films.first_half, films.all, 256);
+  const auto counts = allocate(films.first_half, films.all, 256);
   const auto [least, most] = std::ranges::minmax(counts);
   EXPECT_GE(least, 64U);
   EXPECT_LE(most, 512U);
@@ -92,7 +97,7 @@ TEST(Allocation, a_black_image_has_equal_pixels) {
   for (PixelSums& p : black.pixels) p.samples = 4;
   Film half = black;
   for (PixelSums& p : half.pixels) p.samples = 2;
-  const auto counts = allocate_samples(half, black, 32);
+  const auto counts = allocate(half, black, 32);
   const auto [least, most] = std::ranges::minmax(counts);
   EXPECT_EQ(least, most);
 }

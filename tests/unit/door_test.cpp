@@ -189,8 +189,8 @@ TEST_F(Requests, can_be_watched_and_ended) {
                 return ++calls < 2;
               }});
   EXPECT_EQ(calls, 2);
-  EXPECT_FALSE(film.record.complete);
-  EXPECT_TRUE(render({}).record.complete);
+  EXPECT_EQ(film.record.stopped_by, StoppedBy::interrupt);
+  EXPECT_EQ(render({}).record.stopped_by, StoppedBy::samples);
 }
 
 TEST_F(Requests, a_pixel_and_a_crop_are_parts_of_the_whole) {

@@ -1,11 +1,13 @@
 // Estimated errors: what they should be, and whether it is noticed where they are not.
-#include "image/error_estimate.h"
+#include "convergence/error_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <random>
+
+#include "convergence/heavy_tails.h"
 
 namespace facet {
 
@@ -38,7 +40,7 @@ TEST(ErrorEstimate, IsTheErrorWhereTailsAreLight) {
   std::mt19937 random(1);
   std::exponential_distribution<double> exponential(1);
   const Film film = draw([&] { return exponential(random); });
-  EXPECT_NEAR(estimate_relmse(film) / true_relmse(film), 1, 0.1);
+  EXPECT_NEAR(estimate_error(film).relmse / true_relmse(film), 1, 0.12);
   const HeavyTails tails = find_heavy_tails(film);
   EXPECT_EQ(tails.pixels, 0U);
   EXPECT_FALSE(tails.dominate());
@@ -48,10 +50,10 @@ TEST(ErrorEstimate, LightThatFewPixelsHaveFoundIsNoticed) {
   std::mt19937 random(1);
   std::bernoulli_distribution found(1.0 / 3200);
   const Film film = draw([&] { return found(random) ? 3200.0 : 0.0; });
-  // One pixel in fifty has found it, and looks as if it had an error of 1; those that have not, of
-  // 0.
-  EXPECT_LT(estimate_relmse(film), 0.03);
+  // One pixel in fifty has found it, and would have an error of 1 relative to itself.
   EXPECT_GT(true_relmse(film), 40);
+  EXPECT_GT(estimate_error(film).relmse, true_relmse(film) / 2);
+  EXPECT_LT(estimate_error(film).relmse, 3 * true_relmse(film));
   const HeavyTails tails = find_heavy_tails(film);
   EXPECT_NEAR(static_cast<double>(tails.pixels), side * side * (1 - std::exp(-0.02)), 30);
   EXPECT_EQ(tails.variance_share, 1);
@@ -63,8 +65,110 @@ TEST(ErrorEstimate, InfiniteVarianceIsNoticed) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
   const Film film = draw([&] { return std::pow(1 - uniform(random), -1 / 1.2) / 6; }, 1000);
-  EXPECT_LT(2 * estimate_relmse(film), true_relmse(film));
   EXPECT_TRUE(find_heavy_tails(film).dominate());
+}
+
+/// Beside a bright and even lamp, pixels that it shines into seldom: their errors are relative to
+/// what they have, not to the lamp, and not to what the luckiest of them have seen.
+TEST(ErrorEstimate, IsRelativeToPixelsThatAreAlike) {
+  double estimated = 0;
+  double error = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::bernoulli_distribution flash(0.01);
+    Film film = make_film(side, side, {0, 0, side, side}, true);
+    double sum = 0;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        PixelSums& pixel = film.pixels[film.index(x, y)];
+        const bool edge = y == 20;
+        for (int k = 0; k < samples; ++k) {
+          const double value = edge ? (flash(random) ? 40.0 : 0.0) : y < 20 ? 40.0 : 0.01;
+          pixel.add({value, value, value});
+        }
+        const double truth = 0.4;
+        const double epsilon = std::pow(0.01 * 40 * 20.3 / side, 2);
+        if (edge) sum += std::pow(pixel.mean()[0] - truth, 2) / (truth * truth + epsilon);
+      }
+    }
+    error += sum / static_cast<double>(film.pixels.size());
+    estimated += estimate_error(film).relmse;
+  }
+  std::printf("estimated over true error: %.2f\n", estimated / error);
+  EXPECT_GT(estimated, 0.7 * error);
+  EXPECT_LT(estimated, 2 * error);
+}
+
+/// Samples that come in pairs, one as far above the truth as the other below, but for the last two,
+/// of which one is the truth.
+double add_in_order(PixelSums& sums, std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double last = uniform(random);
+  for (int k = 0; k < samples; ++k) {
+    double value = k % 2 == 0 ? 1.5 : 0.5;
+    if (k + 2 == samples) value = 1;
+    if (k + 1 == samples) value = 1 + last;
+    sums.add({value, value, value});
+  }
+  return sums.mean()[0] - 1;
+}
+
+TEST(ErrorEstimate, ProbesTellWhatOrderGains) {
+  std::mt19937 random(1);
+  Film film = make_film(side, side, {0, 0, side, side}, true);
+  double error = 0;
+  for (PixelSums& pixel : film.pixels) error += std::pow(add_in_order(pixel, random), 2);
+  error /= side * side * 1.0001;
+  const ErrorEstimate by_samples = estimate_error(film);
+  EXPECT_GT(by_samples.relmse, 20 * error);
+  EXPECT_EQ(by_samples.probes, 0U);
+  EXPECT_EQ(by_samples.replicates, 64U);
+  for (std::size_t p = 0; p < film.pixels.size(); p += 4) {
+    film.probes.push_back({p, {}});
+    add_in_order(film.probes.back().sums, random);
+  }
+  const ErrorEstimate by_probes = estimate_error(film);
+  EXPECT_EQ(by_probes.probes, 1024U);
+  EXPECT_EQ(by_probes.replicates, 2U);
+  // Within five standard deviations of a chi-squared of 1024 degrees of freedom.
+  EXPECT_NEAR(by_probes.relmse / error, 1, 5 * std::sqrt(2.0 / 1024));
+  EXPECT_GT(by_probes.relative_upper(0.95), std::sqrt(error));
+  EXPECT_LT(by_probes.relative_upper(0.95), 1.15 * std::sqrt(error));
+  double squares = 0;
+  for (const auto& e : standard_errors(film)) squares += e[1] * e[1];
+  EXPECT_NEAR(squares / (side * side) / error, 1, 0.25);
+}
+
+TEST(ErrorEstimate, ProbesOfFewerSamplesTellTheSame) {
+  std::mt19937 random(1);
+  std::exponential_distribution<double> exponential(1);
+  Film film = draw([&] { return exponential(random); });
+  for (std::size_t p = 0; p < film.pixels.size(); p += 4) {
+    film.probes.push_back({p, {}});
+    for (int k = 0; k < samples / 4; ++k) {
+      const double value = exponential(random);
+      film.probes.back().sums.add({value, value, value});
+    }
+  }
+  EXPECT_NEAR(estimate_error(film).relmse / true_relmse(film), 1, 0.25);
+}
+
+TEST(ErrorEstimate, FilmsWithoutNoiseOrLightHaveNoError) {
+  EXPECT_EQ(estimate_error(draw([] { return 3.0; })).relmse, 0);
+  EXPECT_EQ(estimate_error(draw([] { return 0.0; })).relative_upper(0.95), 0);
+  EXPECT_EQ(estimate_error(Film()).relmse, 0);
+}
+
+TEST(ErrorEstimate, HasChannelsOfItsOwn) {
+  std::mt19937 random(1);
+  std::exponential_distribution<double> exponential(1);
+  const Film film = draw([&] { return exponential(random); });
+  const Image image = with_errors(develop(film, false), standard_errors(film));
+  const int channel = image.find_channel("error.G");
+  ASSERT_GE(channel, 0);
+  const PixelSums& pixel = film.at(9, 3);
+  EXPECT_FLOAT_EQ(image.at(9, 3, channel), static_cast<float>(std::sqrt(variance_of_mean(
+                                               pixel.values[1], pixel.squares[1], pixel.samples))));
 }
 
 /// The edge of a lamp: pixels of which any share is bright beside dim and even ones.

@@ -30,7 +30,7 @@ RenderRecord full_record() {
   r.device = "a device";
   r.driver = "a driver";
   r.seconds = 1.5;
-  r.complete = false;
+  r.stopped_by = StoppedBy::interrupt;
   return r;
 }
 

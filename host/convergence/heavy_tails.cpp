@@ -1,4 +1,4 @@
-#include "image/error_estimate.h"
+#include "convergence/heavy_tails.h"
 
 #include <algorithm>
 
@@ -22,32 +22,6 @@ struct PixelError {
 };
 
 }  // namespace
-
-double relmse_epsilon(const Film& film) {
-  double luminance_sum = 0;
-  for (const PixelSums& p : film.pixels) {
-    const auto& v = p.values;
-    if (p.samples > 0) luminance_sum += (0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2]) / p.samples;
-  }
-  const double hundredth = 0.01 * luminance_sum / static_cast<double>(film.pixels.size());
-  return hundredth * hundredth;
-}
-
-double estimate_relmse(const Film& film) {
-  if (!film.has_squares) return 0;
-  const auto count = static_cast<double>(film.pixels.size());
-  const double epsilon = relmse_epsilon(film);
-  double total = 0;
-  for (const PixelSums& p : film.pixels) {
-    const double n = p.samples;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double variance = variance_of_mean(p.values[c], p.squares[c], n);
-      const double mean = n > 0 ? p.values[c] / n : 0;
-      if (variance > 0) total += variance / (mean * mean + epsilon);
-    }
-  }
-  return total / (3.0 * count);
-}
 
 HeavyTails find_heavy_tails(const Film& film) {
   HeavyTails tails;

@@ -1,11 +1,12 @@
-#include "image/allocation.h"
+#include "convergence/allocation.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
 
-#include "image/error_estimate.h"
+#include "convergence/probes.h"
+#include "image/film.h"
 
 namespace facet {
 
@@ -60,7 +61,7 @@ class Pilot {
  public:
   Pilot(const Film& first_half, const Film& all)
       : errors(all), of_first(all), of_second(all), first_half_(first_half), all_(all) {
-    const double epsilon = std::max(relmse_epsilon(all), 1e-300);
+    const double epsilon = relmse_epsilon(all);
     Plane by_halves(all);
     Plane by_samples(all);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -152,52 +153,11 @@ double reliability(const Pilot& pilot) {
   return 2 * r / (1 + r);
 }
 
-/// Samples in proportion: to the root of the error where that is known, less so where it is not.
-Plane wishes_of(const Pilot& pilot) {
-  Plane wishes = pilot.errors;
-  const double power = reliability(pilot) / 2;
-  for (double& w : wishes.values) w = std::pow(w, power);
-  return wishes;
+/// How many of 2^k, nearest in its logarithm and within bounds.
+unsigned exponent_of(double logarithm, int least, int most) {
+  return static_cast<unsigned>(
+      std::clamp(static_cast<int>(std::floor(logarithm + 0.5)), least, most));
 }
-
-/// Turns wishes into powers of two within bounds and a budget.
-class Allocation {
- public:
-  Allocation(const Plane& wishes, std::uint32_t least, std::uint32_t most)
-      : least_(std::countr_zero(least)), most_(std::countr_zero(most)) {
-    for (const double w : wishes.values)
-      logarithms_.push_back(w > 0 ? std::max(std::log2(w), -1000.0) : -1000.0);
-  }
-
-  /// The largest numbers within the budget, up to a factor that all have in common.
-  [[nodiscard]] std::vector<std::uint32_t> within(double budget) const {
-    double low = -1100;
-    double high = 1100;
-    for (int k = 0; k < 50; ++k) {
-      const double middle = (low + high) / 2;
-      (total(middle) <= budget ? low : high) = middle;
-    }
-    std::vector<std::uint32_t> counts;
-    counts.reserve(logarithms_.size());
-    for (const double l : logarithms_) counts.push_back(1U << exponent(l + low));
-    return counts;
-  }
-
- private:
-  [[nodiscard]] unsigned exponent(double logarithm) const {
-    return static_cast<unsigned>(
-        std::clamp(static_cast<int>(std::floor(logarithm + 0.5)), least_, most_));
-  }
-  [[nodiscard]] double total(double factor) const {
-    double sum = 0;
-    for (const double l : logarithms_) sum += static_cast<double>(1U << exponent(l + factor));
-    return sum;
-  }
-
-  int least_;
-  int most_;
-  std::vector<double> logarithms_;
-};
 
 }  // namespace
 
@@ -209,31 +169,38 @@ std::uint32_t smallest_allocation(std::uint32_t mean) {
   return std::max(std::bit_floor(mean) / 8, 2U);
 }
 
-std::vector<std::uint32_t> allocate_samples(const Film& first_half, const Film& pilot,
-                                            std::uint32_t mean) {
+Allocation::Allocation(const Film& first_half, const Film& pilot) {
   const Pilot known(first_half, pilot);
-  const std::uint32_t most = std::bit_floor(std::min(mean, 1U << 24U)) * 64;
-  const Allocation allocation(wishes_of(known), smallest_allocation(mean), most);
-  return allocation.within(static_cast<double>(mean - pilot_samples(mean)) *
-                           static_cast<double>(pilot.pixels.size()));
+  // To the root of the error where that is known, less so where it is not.
+  const double power = reliability(known) / 2;
+  wishes_.reserve(known.errors.values.size());
+  for (const double e : known.errors.values) {
+    const double wish = std::pow(e, power);
+    wishes_.push_back(wish > 0 ? std::max(std::log2(wish), -1000.0) : -1000.0);
+  }
 }
 
-void render_adaptively(std::uint32_t mean, std::uint32_t seed, std::uint32_t pixel_count,
-                       const AdaptiveSteps& steps) {
-  const std::uint32_t pilot = pilot_samples(mean);
-  const std::uint32_t pilot_seed = seed ^ 0x9e3779b9U;
-  std::vector<std::uint32_t> pixels(pixel_count);
-  std::iota(pixels.begin(), pixels.end(), 0U);
-  if (!steps.render(pixels, {0, pilot / 2}, pilot_seed)) return;
-  const Film first_half = steps.film();
-  if (!steps.render(pixels, {pilot / 2, pilot}, pilot_seed)) return;
-  const std::vector<std::uint32_t> counts = allocate_samples(first_half, steps.film(), mean);
-  steps.restart(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
-  std::uint32_t begin = 0;
-  for (std::uint32_t end = smallest_allocation(mean);; begin = end, end *= 2) {
-    std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
-    if (pixels.empty() || !steps.render(pixels, {begin, end}, seed)) return;
+std::vector<std::uint32_t> Allocation::counts(std::uint32_t mean, std::uint32_t budget) const {
+  const int least = std::countr_zero(smallest_allocation(mean));
+  const int most = std::countr_zero(std::bit_floor(std::min(mean, 1U << 24U)) * 64);
+  const auto total = [&](double factor) {
+    double sum = 0;
+    for (const double w : wishes_)
+      sum += static_cast<double>(1U << exponent_of(w + factor, least, most));
+    return sum;
+  };
+  // The largest factor, which all have in common, within the budget.
+  const double available = static_cast<double>(budget) * static_cast<double>(wishes_.size());
+  double low = -1100;
+  double high = 1100;
+  for (int k = 0; k < 50; ++k) {
+    const double middle = (low + high) / 2;
+    (total(middle) <= available ? low : high) = middle;
   }
+  std::vector<std::uint32_t> result;
+  result.reserve(wishes_.size());
+  for (const double w : wishes_) result.push_back(1U << exponent_of(w + low, least, most));
+  return result;
 }
 
 }  // namespace facet

@@ -1,6 +1,5 @@
 #pragma once
-// What a film's own variance says about the error of its image, and where that is not to be
-// trusted.
+// Pixels whose own variance is not to be trusted.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,14 +7,6 @@
 #include "image/film.h"
 
 namespace facet {
-
-/// What relative squared errors have below them beside the square of the mean: (0.01 mean
-/// luminance)^2 of the film's image.
-[[nodiscard]] double relmse_epsilon(const Film& film);
-
-/// Estimated relative mean square error of the image against its expectation, from the variance:
-/// the mean over pixels and channels of variance / (mean^2 + relmse_epsilon). 0 without squares.
-[[nodiscard]] double estimate_relmse(const Film& film);
 
 /// Pixels that are made of very few of their samples: the others are (nearly) black beside those.
 ///

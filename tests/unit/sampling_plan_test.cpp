@@ -1,0 +1,321 @@
+// How many samples a render takes: by count, by error and by time, on a source of samples whose
+// truth and whose clock are known.
+#include "convergence/sampling_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "convergence/probes.h"
+#include "image/film.h"
+
+namespace facet::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int side = 48;
+
+/// Pixels of expectation 1 whose samples are uniform within a width, and take a time.
+class Fake : public SampleSource {
+ public:
+  explicit Fake(std::uint32_t seed = 1, double width = 1)
+      : width_(width), random_(seed), films_{blank(), blank()} {}
+
+  /// Of so many samples in a row, only the last is drawn; those before make up for each other. The
+  /// mean is as good as that of so many times more samples.
+  std::uint32_t order = 1;
+  Clock::duration per_sample = 0ns;  ///< of one pixel
+  double jitter = 0;                 ///< part of that by which it varies
+  int calls_left = 1 << 30;          ///< until it is interrupted
+  std::map<std::pair<Sums, std::uint32_t>, std::vector<SampleRange>> given;  ///< to each pixel
+  std::vector<std::uint32_t> seeds;
+  double expected = 0;
+
+  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
+           std::uint32_t seed) override {
+    seeds.push_back(seed);
+    PixelList all;
+    if (pixels == nullptr) {
+      for (std::uint32_t p = 0; p < side * side; ++p) all.push_back(p);
+      pixels = &all;
+    }
+    EXPECT_TRUE(std::is_sorted(pixels->begin(), pixels->end()));
+    for (const std::uint32_t p : *pixels) {
+      given[{to, p}].push_back(samples);
+      add_pixel(films_.at(static_cast<std::size_t>(to)).pixels[p], samples.end - samples.begin);
+    }
+    std::uniform_real_distribution<double> uneven(1 - jitter, 1 + jitter);
+    const double count =
+        static_cast<double>(pixels->size()) * static_cast<double>(samples.end - samples.begin);
+    now_ += std::chrono::duration_cast<Clock::duration>(per_sample * count * uneven(random_));
+    return --calls_left > 0;
+  }
+  [[nodiscard]] Film sums(Sums of) const override {
+    return films_.at(static_cast<std::size_t>(of));
+  }
+  void clear(Sums which) override {
+    films_.at(static_cast<std::size_t>(which)) = blank();
+    for (std::uint32_t p = 0; p < side * side; ++p) given.erase({which, p});
+  }
+  void expect(double samples) override { expected = samples; }
+  [[nodiscard]] Clock::time_point now() const override { return now_; }
+
+  /// Of the image.
+  [[nodiscard]] double true_relmse() const {
+    double sum = 0;
+    for (const PixelSums& p : films_[0].pixels) {
+      for (const double m : p.mean()) sum += (m - 1) * (m - 1);
+    }
+    return sum / (3 * side * side) / 1.0001;
+  }
+
+ private:
+  static Film blank() { return make_film(side, side, {0, 0, side, side}, true); }
+
+  void add_pixel(PixelSums& sums, std::uint32_t count) {
+    std::uniform_real_distribution<double> uniform(-width_, width_);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t place = sums.samples % order;
+      double value = 1;
+      if (place == order - 1) {
+        value += uniform(random_);
+      } else if (place + 1 < order / 2 * 2 - 1) {
+        value += (place % 2 == 0 ? width_ : -width_) / std::sqrt(3.0);
+      }
+      sums.add({value, value, value});
+    }
+  }
+
+  double width_;
+  std::mt19937 random_;
+  std::array<Film, 2> films_;
+  Clock::time_point now_{};
+};
+
+SamplingGoal goal_of(std::uint32_t samples) {
+  return {side, side, {0, samples}, 7, false, false, {}, {}};
+}
+
+/// Expects that a pixel was given these samples, each once and in order.
+void expect_samples(const std::vector<SampleRange>& given, std::uint32_t begin, std::uint32_t end) {
+  ASSERT_FALSE(given.empty());
+  EXPECT_EQ(given.front().begin, begin);
+  for (std::size_t k = 1; k < given.size(); ++k) EXPECT_EQ(given[k].begin, given[k - 1].end);
+  EXPECT_EQ(given.back().end, end);
+}
+
+TEST(SamplingPlan, renders_every_sample_once_in_rounds_that_double) {
+  Fake source;
+  SamplingGoal goal = goal_of(0);
+  goal.samples = {5, 105};
+  const SamplingOutcome outcome = render_samples(goal, source);
+  EXPECT_EQ(outcome.stopped_by, StoppedBy::samples);
+  EXPECT_EQ(outcome.samples.begin, 5U);
+  EXPECT_EQ(outcome.samples.end, 105U);
+  expect_samples(source.given[{SampleSource::Sums::image, 3}], 5, 105);
+  const std::vector<SampleRange>& rounds = source.given[{SampleSource::Sums::image, 0}];
+  ASSERT_EQ(rounds.size(), 8U);
+  EXPECT_EQ(rounds[4].end - rounds[4].begin, 8U);
+  EXPECT_EQ(source.expected, 100.0 * side * side);
+  EXPECT_EQ(source.seeds, std::vector<std::uint32_t>(8, 7U));
+}
+
+TEST(SamplingPlan, an_interrupt_ends_it) {
+  Fake source;
+  source.calls_left = 3;
+  const SamplingOutcome outcome = render_samples(goal_of(100), source);
+  EXPECT_EQ(outcome.stopped_by, StoppedBy::interrupt);
+  EXPECT_EQ(outcome.samples.end, 100U);
+  expect_samples(source.given[{SampleSource::Sums::image, 0}], 0, 4);
+}
+
+/// The samples of uniform noise of that width that give a relative error.
+double samples_for(double width, double error) { return width * width / 3 / (error * error); }
+
+/// The error is kept in as many renders as is promised, and the samples are not many more than the
+/// fewest. Fewer than 190 of 200 that keep it are to be expected of a promise of 95 % with
+/// probability 0.46, fewer than 182 with one of 0.3 %.
+void expect_promise(double error, std::uint32_t order, bool probes) {
+  int kept = 0;
+  std::vector<std::uint32_t> counts;
+  constexpr double width = 2;
+  for (std::uint32_t seed = 1; seed <= 200; ++seed) {
+    Fake source(seed, width);
+    source.order = order;
+    SamplingGoal goal = goal_of(1U << 20U);
+    goal.seed = seed;
+    goal.error = error;
+    goal.probes = probes;
+    const SamplingOutcome outcome = render_samples(goal, source);
+    EXPECT_EQ(outcome.stopped_by, StoppedBy::error);
+    counts.push_back(outcome.samples.end);
+    kept += std::sqrt(source.true_relmse()) <= error ? 1 : 0;
+  }
+  std::sort(counts.begin(), counts.end());
+  const double fewest = samples_for(width, error) / order;
+  std::printf("error %g: kept in %d of 200 renders, %g times the fewest samples\n", error, kept,
+              counts[100] / fewest);
+  EXPECT_GE(kept, 182);
+  EXPECT_LE(counts[100], 1.3 * fewest);
+}
+
+TEST(SamplingPlan, keeps_an_error_of_independent_samples) { expect_promise(0.1, 1, false); }
+
+// Variances of samples alone would ask for eight times as many.
+TEST(SamplingPlan, keeps_an_error_of_samples_in_an_order) { expect_promise(0.04, 8, true); }
+
+TEST(SamplingPlan, an_error_stops_at_the_samples_that_there_may_be) {
+  Fake source;
+  SamplingGoal goal = goal_of(50);
+  goal.error = 1e-4;
+  const SamplingOutcome outcome = render_samples(goal, source);
+  EXPECT_EQ(outcome.stopped_by, StoppedBy::samples);
+  EXPECT_EQ(outcome.samples.end, 50U);
+}
+
+TEST(SamplingPlan, an_image_without_noise_is_soon_good_enough) {
+  Fake source(1, 0);
+  SamplingGoal goal = goal_of(1U << 30U);
+  goal.error = 1e-6;
+  const SamplingOutcome outcome = render_samples(goal, source);
+  EXPECT_EQ(outcome.stopped_by, StoppedBy::error);
+  EXPECT_EQ(outcome.samples.end, 16U);
+}
+
+TEST(SamplingPlan, ends_before_its_time_and_makes_use_of_it) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    Fake source(seed);
+    source.per_sample = std::chrono::nanoseconds(200 + 700 * (seed % 7));
+    source.jitter = 0.1;
+    SamplingGoal goal = goal_of(1U << 30U);
+    goal.deadline = source.now() + 100ms;
+    goal.adaptive = seed % 2 == 0;
+    const SamplingOutcome outcome = render_samples(goal, source);
+    EXPECT_EQ(outcome.stopped_by, StoppedBy::time);
+    const double used = std::chrono::duration<double>(source.now() - Clock::time_point()) / 100ms;
+    EXPECT_LE(used, 1.01) << seed;
+    EXPECT_GE(used, 0.8) << seed;
+  }
+}
+
+TEST(SamplingPlan, renders_one_sample_though_there_is_no_time) {
+  for (const bool adaptive : {false, true}) {
+    Fake source;
+    source.per_sample = 1us;
+    SamplingGoal goal = goal_of(1U << 30U);
+    goal.deadline = source.now() - 1s;
+    goal.adaptive = adaptive;
+    const SamplingOutcome outcome = render_samples(goal, source);
+    EXPECT_EQ(outcome.stopped_by, StoppedBy::time);
+    EXPECT_EQ(outcome.samples.end, 1U);
+    EXPECT_FALSE(outcome.adaptive) << "there was no time for a pilot";
+    expect_samples(source.given[{SampleSource::Sums::image, side * side - 1}], 0, 1);
+  }
+}
+
+TEST(SamplingPlan, whichever_goal_is_met_first_ends_it) {
+  SamplingGoal goal = goal_of(64);
+  goal.error = 0.001;
+  Fake slow;
+  slow.per_sample = 1us;
+  goal.deadline = slow.now() + 50ms;
+  EXPECT_EQ(render_samples(goal, slow).stopped_by, StoppedBy::time);
+  Fake fast;
+  goal.deadline = fast.now() + 50ms;
+  EXPECT_EQ(render_samples(goal, fast).stopped_by, StoppedBy::samples);
+  goal.error = 0.5;
+  Fake good;
+  goal.deadline = good.now() + 50ms;
+  EXPECT_EQ(render_samples(goal, good).stopped_by, StoppedBy::error);
+}
+
+TEST(SamplingPlan, an_adaptive_render_grows_pixel_by_pixel) {
+  Fake source(1, 2);
+  SamplingGoal goal = goal_of(1U << 20U);
+  goal.adaptive = true;
+  goal.error = 0.05;
+  const SamplingOutcome outcome = render_samples(goal, source);
+  EXPECT_EQ(outcome.stopped_by, StoppedBy::error);
+  EXPECT_TRUE(outcome.adaptive);
+  double sum = 0;
+  for (std::uint32_t p = 0; p < side * side; ++p) {
+    const std::vector<SampleRange>& given = source.given[{SampleSource::Sums::image, p}];
+    ASSERT_FALSE(given.empty());
+    const std::uint32_t count = given.back().end;
+    expect_samples(given, 0, count);
+    EXPECT_TRUE(std::has_single_bit(count));
+    sum += count;
+  }
+  EXPECT_NEAR(sum / (side * side) / outcome.samples.end, 1, 0.25);
+  // The pilot's numbers are others than the image's.
+  EXPECT_NE(source.seeds.front(), source.seeds.back());
+}
+
+TEST(SamplingPlan, probes_get_the_samples_of_their_pixels_with_other_numbers) {
+  for (const bool adaptive : {false, true}) {
+    Fake source(1, 2);
+    SamplingGoal goal = goal_of(100);
+    goal.probes = true;
+    goal.adaptive = adaptive;
+    EXPECT_EQ(render_samples(goal, source).stopped_by, StoppedBy::samples);
+    const Film film = film_of(goal, source);
+    EXPECT_EQ(film.probes.size(), 576U);
+    for (const Probe& probe : film.probes)
+      EXPECT_EQ(probe.sums.samples, film.pixels[probe.pixel].samples);
+    const auto of_image = std::count(source.seeds.begin(), source.seeds.end(), goal.seed);
+    EXPECT_GT(of_image, 0);
+    EXPECT_LT(of_image, static_cast<std::ptrdiff_t>(source.seeds.size()));
+  }
+}
+
+TEST(SamplingPlan, an_interrupt_during_the_pilot_leaves_its_film) {
+  Fake source;
+  source.calls_left = 1;
+  SamplingGoal goal = goal_of(64);
+  goal.adaptive = true;
+  EXPECT_EQ(render_samples(goal, source).stopped_by, StoppedBy::interrupt);
+  EXPECT_EQ(film_of(goal, source).pixels[9].samples, 4U);
+}
+
+TEST(Probes, are_one_of_each_square_chosen_anew_by_each_seed) {
+  for (const auto& [width, height, spacing] : {std::tuple(32, 32, 2), std::tuple(64, 64, 2),
+                                               std::tuple(128, 128, 4), std::tuple(800, 600, 8)}) {
+    std::vector<int> squares(static_cast<std::size_t>(width / spacing * (height / spacing)));
+    const std::vector<std::uint32_t> probes = choose_probes(width, height, 3);
+    EXPECT_TRUE(std::is_sorted(probes.begin(), probes.end()));
+    for (const std::uint32_t p : probes) {
+      const int x = static_cast<int>(p) % width / spacing;
+      const int y = static_cast<int>(p) / width / spacing;
+      ++squares[static_cast<std::size_t>(y * (width / spacing) + x)];
+    }
+    EXPECT_EQ(std::count(squares.begin(), squares.end(), 1),
+              static_cast<std::ptrdiff_t>(squares.size()));
+    EXPECT_NE(choose_probes(width, height, 4), probes);
+  }
+}
+
+// Every pixel as likely, also those at borders that squares jut out over: of 2000 draws of 33 x 33
+// pixels each is chosen 500 times, within 5 standard deviations.
+TEST(Probes, every_pixel_is_chosen_as_likely) {
+  std::vector<int> counts(33 * 33);
+  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    for (const std::uint32_t p : choose_probes(33, 33, seed)) ++counts[p];
+  }
+  const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+  EXPECT_GT(*least, 500 - 5 * 19.4);
+  EXPECT_LT(*most, 500 + 5 * 19.4);
+}
+
+TEST(Probes, small_images_have_none) {
+  EXPECT_FALSE(has_probes(1, 1));
+  EXPECT_FALSE(has_probes(31, 33));
+  EXPECT_TRUE(has_probes(32, 32));
+}
+
+}  // namespace
+}  // namespace facet::test
