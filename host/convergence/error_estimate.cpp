@@ -53,7 +53,9 @@ class Errors {
     ErrorEstimate estimate;
     estimate.relmse = sum / n;
     estimate.standard_error = std::sqrt(variance) / n;
-    estimate.degrees = (probed ? static_cast<double>(film_.probes.size()) : n) - 1;
+    // A pair of estimates tells once of the spread between them, n samples n - 1 times.
+    estimate.degrees = probed ? static_cast<double>(film_.probes.size()) - 1
+                              : std::max(n * (mean_samples() - 1.0), 1.0);
     estimate.probes = probed ? film_.probes.size() : 0;
     estimate.replicates = probed ? 2 : mean_samples();
     return estimate;
@@ -85,7 +87,7 @@ class Errors {
   /// A mean that rests on few samples is most often one that has been lucky: errors are relative to
   /// what the pixels like it have. That takes time, so of many pixels some stand for all.
   void add_unknown() {
-    constexpr std::size_t most = 1U << 13U;
+    constexpr std::size_t most = 1U << 12U;
     const std::size_t step = (unknown_.size() + most - 1) / most;
     if (step == 0) return;
     const SimilarPixels similar(film_, epsilon_);

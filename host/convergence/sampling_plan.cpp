@@ -215,7 +215,8 @@ class Sampling {
   }
 
   [[nodiscard]] SamplingOutcome outcome(StoppedBy reason) const {
-    const std::uint32_t samples = reason == StoppedBy::interrupt ? most_ : done_;
+    std::uint32_t samples = done_;
+    if (reason == StoppedBy::interrupt) samples = goal_.open_ended() ? std::max(done_, 1U) : most_;
     const std::uint32_t begin = goal_.samples.begin;
     return {reason, {begin, begin + samples}, allocation_.has_value()};
   }

@@ -60,7 +60,7 @@ struct SamplingOutcome {
 };
 
 /// Renders until a goal is met. After an interrupt the outcome's samples are those that there were
-/// to be.
+/// to be, or, where their number was open, those that every pixel has.
 [[nodiscard]] SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source);
 
 /// The film of the image so far, with its probes; while there is none yet, that of the pilot.

@@ -98,6 +98,15 @@ TEST_F(GoalsCliTest, ProbesAreOfOrderedSamplersAndChangeNoImage) {
   EXPECT_EQ(independent["error_estimate"]["probes"], 0);
 }
 
+TEST_F(GoalsCliTest, ASinglePixelHasAnError) {
+  for (const char* sampler : {"independent", "sobol"}) {
+    const nlohmann::json json =
+        render({"--pixel", "20,20", "--error", "2%", "--spp", "1000000", "--sampler", sampler});
+    EXPECT_EQ(json["stopped_by"], "error") << sampler;
+    EXPECT_GT(json["error_estimate"]["relative"], 0) << sampler;
+  }
+}
+
 TEST_F(GoalsCliTest, SamplesAreTheMostThereMayBe) {
   const nlohmann::json json = render({"--error", "0.1%", "--spp", "32"});
   EXPECT_EQ(json["stopped_by"], "samples");

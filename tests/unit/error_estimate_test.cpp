@@ -153,6 +153,20 @@ TEST(ErrorEstimate, ProbesOfFewerSamplesTellTheSame) {
   EXPECT_NEAR(estimate_error(film).relmse / true_relmse(film), 1, 0.25);
 }
 
+// The square of a normal variable is below 3.84 of its variances in 95 % of all cases.
+TEST(ErrorEstimate, ASinglePixelIsAsUncertainAsASquare) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(1, 0.1);
+  Film film = make_film(1, 1, {0, 0, 1, 1}, true);
+  for (int k = 0; k < 1000; ++k) {
+    const double value = normal(random);
+    film.pixels[0].add({value, value, value});
+  }
+  const ErrorEstimate estimate = estimate_error(film);
+  EXPECT_NEAR(estimate.relmse, 1e-5, 1.5e-6);
+  EXPECT_NEAR(std::pow(estimate.relative_upper(0.95), 2) / estimate.relmse, 3.84, 0.05);
+}
+
 TEST(ErrorEstimate, FilmsWithoutNoiseOrLightHaveNoError) {
   EXPECT_EQ(estimate_error(draw([] { return 3.0; })).relmse, 0);
   EXPECT_EQ(estimate_error(draw([] { return 0.0; })).relative_upper(0.95), 0);
