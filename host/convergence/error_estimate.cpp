@@ -93,8 +93,11 @@ class Errors {
     const SimilarPixels similar(film_, epsilon_);
     std::vector<double> relative((unknown_.size() + step - 1) / step);
     parallel_for(relative.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        relative[k] = relative_to_likes(similar, unknown_[k * step].index);
+      // Its likes may be brighter than it is, as it may be brighter than its truth.
+      for (std::size_t k = begin; k < end; ++k) {
+        const Pixel& pixel = unknown_[k * step];
+        relative[k] = std::max(pixel.relative, relative_to_likes(similar, pixel.index));
+      }
     });
     const double weight =
         static_cast<double>(unknown_.size()) / static_cast<double>(relative.size());

@@ -167,7 +167,7 @@ class Sampling {
     std::uint32_t samples = goal_.open_ended() ? open_ended_pilot : pilot_samples(most_);
     std::uint32_t begin = 0;
     if (pace_.is_limited()) {
-      begin = 2;
+      begin = 1;
       if (!source_.add(Sums::trial, nullptr, {0, begin}, seed)) return false;
       pace_.note(begin);
       samples = std::min(samples, std::bit_floor(pace_.fitting(0.125) + begin));
@@ -244,11 +244,11 @@ SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source) {
 
 Film film_of(const SamplingGoal& goal, const SampleSource& source) {
   Film film = source.sums(Sums::image);
-  if (!goal.adaptive && !goal.probes) return film;
-  Film trial = source.sums(Sums::trial);
   const bool has_begun = std::any_of(film.pixels.begin(), film.pixels.end(),
                                      [](const PixelSums& p) { return p.samples > 0; });
-  if (!has_begun) return trial;
+  if (goal.adaptive && !has_begun) return source.sums(Sums::trial);
+  if (!goal.probes) return film;
+  const Film trial = source.sums(Sums::trial);
   for (const std::uint32_t p : probes_of(goal)) {
     if (film.pixels[p].samples > 0 && trial.pixels[p].samples > 0)
       film.probes.push_back({p, trial.pixels[p]});
