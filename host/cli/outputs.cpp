@@ -31,7 +31,7 @@ std::string write_image(const std::string& file, const Image& image, float expos
   const std::filesystem::path path(file);
   std::error_code unknown;
   const bool lost = path.has_parent_path() && !std::filesystem::exists(path.parent_path(), unknown);
-  const std::string place = lost ? path.filename().string() : file;
+  std::string place = lost ? path.filename().string() : file;
   if (lost && std::filesystem::exists(place, unknown))
     throw InputError(fmt::format(
         "{}: cannot write: no such folder any more, and {} is in the current one", file, place));

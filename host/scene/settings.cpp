@@ -15,8 +15,7 @@ namespace {
 
 template <typename Names>
 [[noreturn]] void fail_unknown(const char* what, const std::string& name, const Names& known) {
-  std::vector<std::string> names;
-  for (const auto& n : known) names.emplace_back(n);
+  const std::vector<std::string> names(known.begin(), known.end());
   throw InputError(fmt::format("{} \"{}\": unknown{}; there are: {}", what, name,
                                did_you_mean(name, names), fmt::join(names, ", ")));
 }
