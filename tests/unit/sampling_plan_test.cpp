@@ -29,6 +29,7 @@ class Fake : public SampleSource {
   /// Of so many samples in a row, only the last is drawn; those before make up for each other. The
   /// mean is as good as that of so many times more samples.
   std::uint32_t order = 1;
+  double spread = 1;                 ///< one pixel in sixteen is so many times as noisy
   Clock::duration per_sample = 0ns;  ///< of one pixel
   double jitter = 0;                 ///< part of that by which it varies
   int calls_left = 1 << 30;          ///< until it is interrupted
@@ -47,7 +48,8 @@ class Fake : public SampleSource {
     EXPECT_TRUE(std::is_sorted(pixels->begin(), pixels->end()));
     for (const std::uint32_t p : *pixels) {
       given[{to, p}].push_back(samples);
-      add_pixel(films_.at(static_cast<std::size_t>(to)).pixels[p], samples.end - samples.begin);
+      add_pixel(films_.at(static_cast<std::size_t>(to)).pixels[p], samples.end - samples.begin,
+                p % 16 == 0 ? spread * width_ : width_);
     }
     std::uniform_real_distribution<double> uneven(1 - jitter, 1 + jitter);
     const double count =
@@ -77,15 +79,15 @@ class Fake : public SampleSource {
  private:
   static Film blank() { return make_film(side, side, {0, 0, side, side}, true); }
 
-  void add_pixel(PixelSums& sums, std::uint32_t count) {
-    std::uniform_real_distribution<double> uniform(-width_, width_);
+  void add_pixel(PixelSums& sums, std::uint32_t count, double width) {
+    std::uniform_real_distribution<double> uniform(-width, width);
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t place = sums.samples % order;
       double value = 1;
       if (place == order - 1) {
         value += uniform(random_);
       } else if (place + 1 < order / 2 * 2 - 1) {
-        value += (place % 2 == 0 ? width_ : -width_) / std::sqrt(3.0);
+        value += (place % 2 == 0 ? width : -width) / std::sqrt(3.0);
       }
       sums.add({value, value, value});
     }
@@ -241,13 +243,15 @@ TEST(SamplingPlan, whichever_goal_is_met_first_ends_it) {
 
 TEST(SamplingPlan, an_adaptive_render_grows_pixel_by_pixel) {
   Fake source(1, 2);
+  source.spread = 20;
   SamplingGoal goal = goal_of(1U << 20U);
   goal.adaptive = true;
-  goal.error = 0.05;
+  goal.error = 0.2;
   const SamplingOutcome outcome = render_samples(goal, source);
   EXPECT_EQ(outcome.stopped_by, StoppedBy::error);
   EXPECT_TRUE(outcome.adaptive);
   double sum = 0;
+  double noisy = 0;
   for (std::uint32_t p = 0; p < side * side; ++p) {
     const std::vector<SampleRange>& given = source.given[{SampleSource::Sums::image, p}];
     ASSERT_FALSE(given.empty());
@@ -255,8 +259,10 @@ TEST(SamplingPlan, an_adaptive_render_grows_pixel_by_pixel) {
     expect_samples(given, 0, count);
     EXPECT_TRUE(std::has_single_bit(count));
     sum += count;
+    noisy += p % 16 == 0 ? count : 0;
   }
-  EXPECT_NEAR(sum / (side * side) / outcome.samples.end, 1, 0.25);
+  EXPECT_NEAR(sum / (side * side) / outcome.samples.end, 1, 0.3);
+  EXPECT_GT(noisy, sum / 4) << "a sixteenth of the pixels";
   // The pilot's numbers are others than the image's.
   EXPECT_NE(source.seeds.front(), source.seeds.back());
 }
