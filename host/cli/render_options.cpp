@@ -115,9 +115,10 @@ double parse_relative_error(const std::string& text) {
   const bool percent = number.ends_with('%');
   if (percent) number = trimmed(number.substr(0, number.size() - 1));
   const auto value = parse_real(number);
-  if (!value || !(*value > 0))
+  // Whoever writes 5 hardly means five times the image.
+  if (!value || !(*value > 0) || (!percent && *value >= 1))
     throw InputError(
-        fmt::format("--error \"{}\": a positive relative error expected, as 1% or 0.01", text));
+        fmt::format("--error \"{}\": a relative error above 0 expected, as 1% or 0.01", text));
   return percent ? *value / 100 : *value;
 }
 

@@ -175,7 +175,7 @@ TEST_F(GoalsCliTest, WhatIsNoGoalIsSaid) {
     EXPECT_EQ(result.code, 2);
     expect_words(result.err, words);
   };
-  for (const char* text : {"0", "-1%", "much", "%", "nan", "1%%"})
+  for (const char* text : {"0", "-1%", "much", "%", "nan", "1%%", "5"})
     expect_refused({"--error", text}, {"--error", text, "1%", "0.01"});
   for (const char* text : {"0", "-1", "soon", "1e99"}) expect_refused({"--time", text}, {"--time"});
   expect_refused({"--error", "1%", "--sample-range", "0:4"}, {"sample range"});
