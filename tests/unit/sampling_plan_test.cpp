@@ -10,7 +10,6 @@
 #include <map>
 #include <random>
 
-#include "convergence/probes.h"
 #include "image/film.h"
 
 namespace facet::test {
@@ -291,41 +290,6 @@ TEST(SamplingPlan, an_interrupt_during_the_pilot_leaves_its_film) {
   goal.adaptive = true;
   EXPECT_EQ(render_samples(goal, source).stopped_by, StoppedBy::interrupt);
   EXPECT_EQ(film_of(goal, source).pixels[9].samples, 4U);
-}
-
-TEST(Probes, are_one_of_each_square_chosen_anew_by_each_seed) {
-  for (const auto& [width, height, spacing] : {std::tuple(32, 32, 2), std::tuple(64, 64, 2),
-                                               std::tuple(128, 128, 4), std::tuple(800, 600, 8)}) {
-    std::vector<int> squares(static_cast<std::size_t>(width / spacing * (height / spacing)));
-    const std::vector<std::uint32_t> probes = choose_probes(width, height, 3);
-    EXPECT_TRUE(std::is_sorted(probes.begin(), probes.end()));
-    for (const std::uint32_t p : probes) {
-      const int x = static_cast<int>(p) % width / spacing;
-      const int y = static_cast<int>(p) / width / spacing;
-      ++squares[static_cast<std::size_t>(y * (width / spacing) + x)];
-    }
-    EXPECT_EQ(std::count(squares.begin(), squares.end(), 1),
-              static_cast<std::ptrdiff_t>(squares.size()));
-    EXPECT_NE(choose_probes(width, height, 4), probes);
-  }
-}
-
-// Every pixel as likely, also those at borders that squares jut out over: of 2000 draws of 33 x 33
-// pixels each is chosen 500 times, within 5 standard deviations.
-TEST(Probes, every_pixel_is_chosen_as_likely) {
-  std::vector<int> counts(33 * 33);
-  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
-    for (const std::uint32_t p : choose_probes(33, 33, seed)) ++counts[p];
-  }
-  const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
-  EXPECT_GT(*least, 500 - 5 * 19.4);
-  EXPECT_LT(*most, 500 + 5 * 19.4);
-}
-
-TEST(Probes, small_images_have_none) {
-  EXPECT_FALSE(has_probes(1, 1));
-  EXPECT_FALSE(has_probes(31, 33));
-  EXPECT_TRUE(has_probes(32, 32));
 }
 
 }  // namespace
