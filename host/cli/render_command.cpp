@@ -23,8 +23,8 @@ namespace facet::cli {
 namespace {
 
 /// What a film of that size could be, as far as its handling takes time.
-Film noise_film(int width, int height) {
-  Film film = make_film(width, height, {0, 0, width, height}, true);
+Film noise_film(int width, int height, bool with_squares) {
+  Film film = make_film(width, height, {0, 0, width, height}, with_squares);
   std::mt19937 random(1);
   for (PixelSums& pixel : film.pixels) {
     for (int k = 0; k < 2; ++k) {
@@ -80,10 +80,9 @@ class RenderJob {
     request_.estimate_error = !options_.json.empty() || wants_error(options_.aovs) ||
                               (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
     if (options_.time) request_.deadline = Clock::now();
-    const RenderSettings settings = resolve(*scene_, request_);
-    size_ = {settings.crop_width(), settings.crop_height()};
-    check_png_size(outcome_.files, settings.crop_width(), settings.crop_height());
-    warn_about_render(*scene_, settings, diagnostics, options_.backend.in_double());
+    settings_ = resolve(*scene_, request_);
+    check_png_size(outcome_.files, settings_.crop_width(), settings_.crop_height());
+    warn_about_render(*scene_, settings_, diagnostics, options_.backend.in_double());
     print_warnings(diagnostics);
     outcome_.scene = options_.scene;
     outcome_.triangles = scene_->triangle_count();
@@ -98,18 +97,21 @@ class RenderJob {
   /// worse than an image, of not too many rows.
   [[nodiscard]] double seconds_after_rendering() const {
     constexpr int most_pixels = 1 << 18;
-    const int rows = std::clamp(most_pixels / size_.width, 1, size_.height);
+    const int width = settings_.crop_width();
+    const int height = settings_.crop_height();
+    const int rows = std::clamp(most_pixels / width, 1, height);
     const double start = seconds_since_start();
     Film noise;
     // The device's films are read first: the image's, and that of samples beside it.
-    for (int film = 0; film < 2; ++film) noise = noise_film(size_.width, rows);
+    for (int film = 0; film < (settings_.goal().has_trial() ? 2 : 1); ++film)
+      noise = noise_film(width, rows, settings_.variance);
     RenderOutcome trial = outcome_;
     keep(noise, trial);
     try_writing(outcome_.files, trial.image, options_.exposure);
     // Machines are not always as fast as just now.
     constexpr double reserve = 1.5;
     constexpr double ending_the_program = 0.06;
-    return ending_the_program + reserve * (seconds_since_start() - start) * size_.height / rows;
+    return ending_the_program + reserve * (seconds_since_start() - start) * height / rows;
   }
 
   void set_deadline() {
@@ -167,7 +169,7 @@ class RenderJob {
   const RenderOptions& options_;
   ScenePtr scene_;
   RenderRequest request_;
-  ImageSize size_;  ///< of what is rendered
+  RenderSettings settings_;
   RenderOutcome outcome_;
 };
 

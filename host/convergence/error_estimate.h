@@ -3,12 +3,12 @@
 // itself is of the library's face.
 #include <vector>
 
-#include "image/film.h"
+#include "convergence/relative_variance.h"
 
 namespace facet {
 
-/// One value a channel of every pixel.
-using ColorPlane = std::vector<std::array<double, 3>>;
+/// Of every pixel.
+using ColorPlane = std::vector<Color3>;
 
 /// The standard errors of the pixels' means: from the variance of their samples and, where there
 /// are probes, what the order of the samples leaves of it. For a film with squares.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "convergence/relative_variance.h"
+
 namespace facet {
 
 namespace {
@@ -12,12 +14,8 @@ struct PixelError {
   double squared_mean = 0;
 
   explicit PixelError(const PixelSums& pixel) {
-    const double n = pixel.samples;
-    for (std::size_t c = 0; c < 3; ++c) {
-      variance += variance_of_mean(pixel.values[c], pixel.squares[c], n);
-      const double mean = n > 0 ? pixel.values[c] / n : 0;
-      squared_mean += mean * mean;
-    }
+    for (const double v : variance_by_samples(pixel)) variance += v;
+    for (const double m : pixel.mean()) squared_mean += m * m;
   }
 };
 

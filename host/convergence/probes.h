@@ -14,18 +14,6 @@ namespace facet {
 /// The pixels that are probed, in ascending order.
 [[nodiscard]] std::vector<std::uint32_t> choose_probes(int width, int height, std::uint32_t seed);
 
-/// What relative squared errors have below them beside the square of the mean: (0.01 mean
-/// luminance)^2 of the film's image, or next to nothing where that is black.
-[[nodiscard]] double relmse_epsilon(const Film& film);
-
-using Color3 = std::array<double, 3>;
-
-/// Of the mean of a pixel's samples, by their own variance.
-[[nodiscard]] Color3 variance_by_samples(const PixelSums& pixel);
-
-/// A variance relative to a mean: over mean^2 + epsilon; the mean over channels.
-[[nodiscard]] double relative_variance(const Color3& variance, const Color3& mean, double epsilon);
-
 /// What the order of a pixel's samples leaves of the variance that their mean would have if they
 /// were independent. Pixels of little variance gain most by order, so those of alike relative
 /// variance are taken together.

@@ -181,7 +181,7 @@ class Sampling {
       pace_.note(samples - begin);
       allocation_.emplace(first_half, source_.sums(Sums::trial));
     }
-    if (goal_.open_ended()) spent_ = samples;
+    if (goal_.open_ended()) spent_ = allocation_ ? samples : begin;
     source_.clear(Sums::trial);
     return true;
   }

@@ -23,6 +23,8 @@ struct SamplingGoal {
   std::optional<Clock::time_point> deadline;
 
   [[nodiscard]] bool open_ended() const { return error || deadline; }
+  /// Whether there are samples that are no part of the image: a pilot's, or of probes.
+  [[nodiscard]] bool has_trial() const { return adaptive || probes; }
 };
 
 /// Pixels of a film, in ascending order.
@@ -31,7 +33,7 @@ using PixelList = std::vector<std::uint32_t>;
 /// Who renders samples, and adds them to sums.
 class SampleSource {
  public:
-  /// Those of the image, and those of samples that are no part of it.
+  /// Those of the image, and those of samples that are no part of it, where the goal has such.
   enum class Sums { image, trial };
 
   SampleSource() = default;

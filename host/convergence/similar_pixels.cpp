@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convergence/plane.h"
+
 namespace facet {
 
 namespace {
@@ -31,24 +33,15 @@ SimilarPixels::SimilarPixels(const Film& film, double epsilon)
       own_variances_(film.pixels.size()),
       variances_(film.pixels.size()) {
   for (std::size_t i = 0; i < means_.size(); ++i) {
-    const PixelSums& p = film.pixels[i];
-    means_[i] = p.mean();
-    for (std::size_t c = 0; c < 3; ++c)
-      own_variances_[i][c] = variance_of_mean(p.values[c], p.squares[c], p.samples);
+    means_[i] = film.pixels[i].mean();
+    own_variances_[i] = variance_by_samples(film.pixels[i]);
   }
   // A pixel that has missed a flash has no variance that tells of it; its neighbours may.
-  for (int y = 0; y < film.height; ++y) {
-    for (int x = 0; x < film.width; ++x) {
-      Color& sum = variances_[film.index(x, y)];
-      double count = 0;
-      for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, film.height - 1); ++ny) {
-        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, film.width - 1); ++nx) {
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += own_variances_[film.index(nx, ny)][c];
-          ++count;
-        }
-      }
-      for (double& s : sum) s /= count;
-    }
+  for (std::size_t c = 0; c < 3; ++c) {
+    Plane variances(film);
+    for (std::size_t i = 0; i < means_.size(); ++i) variances.values[i] = own_variances_[i][c];
+    variances = variances.blurred(1);
+    for (std::size_t i = 0; i < means_.size(); ++i) variances_[i][c] = variances.values[i];
   }
 }
 
@@ -82,7 +75,7 @@ double SimilarPixels::difference(std::size_t a, std::size_t b) const {
 
 SimilarPixels::Mean SimilarPixels::mean(int x, int y) const {
   Mean mean;
-  Color variance{};
+  Color3 variance{};
   double weights = 0;
   for (int oy = std::max(y - window, 0); oy <= std::min(y + window, film_.height - 1); ++oy) {
     for (int ox = std::max(x - window, 0); ox <= std::min(x + window, film_.width - 1); ++ox) {

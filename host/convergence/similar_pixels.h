@@ -2,7 +2,7 @@
 // What a pixel should look like by pixels whose surroundings look alike.
 #include <vector>
 
-#include "image/film.h"
+#include "convergence/relative_variance.h"
 
 namespace facet {
 
@@ -15,13 +15,11 @@ class SimilarPixels {
   /// film: with squares; it must outlive this.
   SimilarPixels(const Film& film, double epsilon);
 
-  using Color = std::array<double, 3>;
-
   /// A mean, and what it rests on: as many equally bright samples among black ones as would give
   /// its relative variance.
   struct Mean {
-    Color value{};
-    Color flashes{};
+    Color3 value{};
+    Color3 flashes{};
   };
   /// Of the pixels that are like this, itself among them, within a square of 21 pixels.
   [[nodiscard]] Mean mean(int x, int y) const;
@@ -35,9 +33,9 @@ class SimilarPixels {
 
   const Film& film_;
   double epsilon_;  ///< of relMSE
-  std::vector<Color> means_;
-  std::vector<Color> own_variances_;  ///< of the means
-  std::vector<Color> variances_;      ///< the mean of it and its neighbours'
+  std::vector<Color3> means_;
+  std::vector<Color3> own_variances_;  ///< of the means
+  std::vector<Color3> variances_;      ///< the mean of it and its neighbours'
 };
 
 }  // namespace facet

@@ -33,7 +33,8 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
         scene_(std::move(scene)),
         settings_(settings),
         world_(*scene_, settings_),
-        films_{blank_film(settings_), blank_film(settings_)} {
+        films_{blank_film(settings_),
+               settings_.goal().has_trial() ? blank_film(settings_) : Film()} {
     statistics_.planned = settings_.total_samples();
   }
 

@@ -52,7 +52,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   const int limit = settings.integrator.interaction_limit();
   f.roulette = limit < 0 || limit >= static_cast<int>(shared::ROULETTE_FIRST);
   f.variance = settings.variance;
-  f.pixel_list = settings.adaptive || settings.probes;
+  f.pixel_list = settings.goal().has_trial();
   f.negative_filter = ends_negative(scene.camera.filter);
   f.visible_normals = settings.sampling == LobeSampling::visible;
   // Without a single emitter there is nothing to sample.
