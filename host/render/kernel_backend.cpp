@@ -11,7 +11,7 @@ class KernelRendering : public RecordedRendering {
  public:
   KernelRendering(KernelBackend& backend, const Scene& scene, const RenderSettings& settings)
       : RecordedRendering(backend, "vulkan", Precision::float_, scene, settings),
-        renderer_(backend.device(), pack_scene(scene, settings)) {}
+        renderer_(backend.device(), pack_scene(scene, settings), backend.kernels()) {}
 
   void run(const ProgressCallback& progress) override { note(renderer_.render(progress)); }
   std::vector<Radiance> sample(std::uint32_t index) override {

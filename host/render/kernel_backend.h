@@ -4,6 +4,7 @@
 
 #include "gpu/device.h"
 #include "render/kernel_bsdf_evaluator.h"
+#include "render/kernel_store.h"
 #include "scene/testable_backend.h"
 
 namespace facet {
@@ -26,9 +27,12 @@ class KernelBackend : public TestableBackend {
       const Bsdf& bsdf, LobeSampling sampling) override;
 
   [[nodiscard]] gpu::Device& device() { return device_; }
+  /// Of all renders so far.
+  [[nodiscard]] KernelStore& kernels() { return kernels_; }
 
  private:
   gpu::Device device_;
+  KernelStore kernels_;
   std::optional<BsdfKernels> bsdf_kernels_;  ///< scenes need none of these
 };
 

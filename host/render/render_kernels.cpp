@@ -32,6 +32,7 @@ gpu::CompiledKernel RenderKernels::make(Kernel kernel, BounceKind kind) {
 }
 
 void RenderKernels::compile(const Warming& warm) {
+  if (compiled_) return;
   std::mutex warming;
   std::vector<std::future<void>> jobs;
   const auto start = [&](std::optional<gpu::CompiledKernel>& pipeline, Kernel kernel,
@@ -52,6 +53,7 @@ void RenderKernels::compile(const Warming& warm) {
   start(schedule_, Kernel::schedule);
   start(film_, Kernel::film);
   for (std::future<void>& job : jobs) job.get();
+  compiled_ = true;
 }
 
 }  // namespace facet

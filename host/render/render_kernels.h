@@ -19,10 +19,10 @@ class RenderKernels {
   /// Nothing is compiled yet. The program has to outlive this.
   RenderKernels(const KernelProgram& program, const Features& features, std::uint32_t stack_size);
 
-  /// Compiles all kernels that the integrator needs, beside each other, and calls `warm` with each
-  /// as soon as there is one, never two at a time: many drivers compile at the first dispatch, one
-  /// kernel after the other, and would else begin with it only when the last is ready. Throws
-  /// DeviceError.
+  /// Compiles all kernels that the integrator needs, unless that is done, beside each other, and
+  /// calls `warm` with each as soon as there is one, never two at a time: many drivers compile at
+  /// the first dispatch, one kernel after the other, and would else begin with it only when the
+  /// last is ready. Throws DeviceError.
   void compile(const Warming& warm);
 
   [[nodiscard]] const gpu::CompiledKernel& schedule() const { return *schedule_; }
@@ -53,6 +53,7 @@ class RenderKernels {
   std::optional<gpu::CompiledKernel> film_;
   std::optional<gpu::CompiledKernel> camera_;
   std::atomic<std::uint64_t> instructions_ = 0;
+  bool compiled_ = false;
 };
 
 }  // namespace facet

@@ -44,16 +44,24 @@ std::vector<FilmBuffers> make_films(gpu::Device& device, const PackedScene& pack
   return films;
 }
 
-/// All bindings but those of the kernels that evaluate BSDFs alone.
-std::vector<std::uint32_t> render_bindings() {
-  std::vector<std::uint32_t> numbers(shared::BINDING_counters + 1);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
+GeometryFetch fetch_for(const gpu::Device& device, const PackedScene& packed) {
+  return choose_fetch(device, packed, packed.settings.force_storage_buffers);
 }
 
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
+    : Renderer(device, packed,
+               std::make_shared<RenderProgram>(device, fetch_for(device, packed), packed.features,
+                                               packed.bvh.stack_size)) {}
+
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed, KernelStore& store)
+    : Renderer(device, packed,
+               store.find_or_make(device, fetch_for(device, packed), packed.features,
+                                  packed.bvh.stack_size)) {}
+
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed,
+                   std::shared_ptr<RenderProgram> program)
     : device_(device),
       settings_(packed.settings),
       features_(packed.features),
@@ -67,9 +75,7 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
           device,
           features_.pixel_list ? image().pixel_count() * std::uint64_t{sizeof(std::uint32_t)} : 0,
           "the list of pixels"),
-      program_(device, render_bindings(),
-               choose_fetch(device, packed, packed.settings.force_storage_buffers)),
-      kernels_(program_, packed.features, packed.bvh.stack_size) {
+      program_(std::move(program)) {
   const auto start = std::chrono::steady_clock::now();
   statistics_.planned = settings_.total_samples();
   gpu::BufferMap map;
@@ -81,21 +87,21 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed)
     std::vector<gpu::BoundBuffers>& bound = bound_.emplace_back();
     for (std::size_t piece = 0; piece < film.pieces().size(); ++piece) {
       film.add_to(map, piece);
-      bound.push_back(program_.bind(map));
+      bound.push_back(program_->program.bind(map));
     }
   }
   if (packed.settings.time_stages) stopwatch_.emplace(device, bounces_per_submission + 1);
   // The drivers' share happens here, outside the timed render.
   compile_kernels();
   statistics_.compile_seconds = seconds_since(start);
-  statistics_.kernel_instructions = kernels_.instruction_count();
+  statistics_.kernel_instructions = kernels().instruction_count();
   statistics_.device_bytes = device.reserved_bytes();
   statistics_.bvh_seconds = packed.bvh_seconds;
   statistics_.features = features_.names();
 }
 
 void Renderer::compile_kernels() {
-  kernels_.compile([this](const gpu::CompiledKernel& kernel) {
+  program_->kernels.compile([this](const gpu::CompiledKernel& kernel) {
     device_.run([&](gpu::Commands& c) {
       shared::PassConstants nothing{};
       nothing.pixel_count = 1;
@@ -136,10 +142,10 @@ void Renderer::end_stage(const gpu::Commands& commands, Stage stage) {
 }
 
 void Renderer::record_bounce(gpu::Commands& commands, const shared::PassConstants& constants) {
-  commands.dispatch(kernels_.schedule(), constants, 1);
+  commands.dispatch(kernels().schedule(), constants, 1);
   shared::PassConstants round = constants;
   for (round.emitter = 0; round.emitter < rounds_; ++round.emitter) {
-    commands.dispatch_indirect(kernels_.bounce(constants.bounce), round, state_.counters(),
+    commands.dispatch_indirect(kernels().bounce(constants.bounce), round, state_.counters(),
                                shared::INDIRECT_PATHS * sizeof(std::uint32_t));
   }
   end_stage(commands, constants.bounce == 0 ? Stage::first_bounce : Stage::later_bounces);
@@ -149,7 +155,7 @@ void Renderer::record_film(gpu::Commands& commands, shared::PassConstants consta
   for (std::uint32_t k = 0; k < constants.sample_count; k += samples_per_film_dispatch) {
     constants.film_begin = k;
     constants.film_end = std::min(k + samples_per_film_dispatch, constants.sample_count);
-    commands.dispatch(kernels_.film(), constants, workgroups(constants.pixel_count));
+    commands.dispatch(kernels().film(), constants, workgroups(constants.pixel_count));
   }
   end_stage(commands, Stage::film);
 }
@@ -285,7 +291,7 @@ std::vector<shared::RayRecord> Renderer::camera_rays() {
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);
   device_.run([&](gpu::Commands& c) {
     c.bind(bound_.front().front());
-    c.dispatch(kernels_.camera(), constants, workgroups(constants.pixel_count));
+    c.dispatch(program_->kernels.camera(), constants, workgroups(constants.pixel_count));
   });
   return state_.read_rays(constants.pixel_count);
 }

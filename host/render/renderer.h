@@ -5,8 +5,8 @@
 #include "convergence/sampling_plan.h"
 #include "gpu/stopwatch.h"
 #include "render/film_buffers.h"
+#include "render/kernel_store.h"
 #include "render/path_state.h"
-#include "render/render_kernels.h"
 #include "render/scene_buffers.h"
 #include "render/stages.h"
 
@@ -15,7 +15,10 @@ namespace facet {
 /// A scene on a device, ready to be rendered once.
 class Renderer : private SampleSource {
  public:
-  /// Uploads the scene and compiles its kernels. Throws InputError if it does not fit the device.
+  /// Uploads the scene and compiles its kernels, unless the store has them. Throws InputError if it
+  /// does not fit the device.
+  Renderer(gpu::Device& device, const PackedScene& packed, KernelStore& store);
+  /// With kernels of its own.
   Renderer(gpu::Device& device, const PackedScene& packed);
 
   /// Renders until the settings' goal is met, or as long as `progress` lets it.
@@ -36,6 +39,8 @@ class Renderer : private SampleSource {
   [[nodiscard]] std::vector<shared::RayRecord> camera_rays();
 
  private:
+  Renderer(gpu::Device& device, const PackedScene& packed, std::shared_ptr<RenderProgram> program);
+
   /// One pass: samples of pixels of one piece of the film.
   struct Wave {
     Sums sums = Sums::image;
@@ -74,6 +79,7 @@ class Renderer : private SampleSource {
   void run_timed(const Wave& wave, const Record& record);
   void end_stage(const gpu::Commands& commands, Stage stage);
 
+  [[nodiscard]] const RenderKernels& kernels() const { return program_->kernels; }
   [[nodiscard]] const FilmBuffers& image() const { return films_.front(); }
 
   gpu::Device& device_;
@@ -90,9 +96,8 @@ class Renderer : private SampleSource {
   PathState state_;
   std::vector<FilmBuffers> films_;  ///< the image's sums and, where there are such, the trial's
   gpu::Buffer listed_;              ///< pixels of passes, where they are listed
-  KernelProgram program_;
+  std::shared_ptr<RenderProgram> program_;
   std::vector<std::vector<gpu::BoundBuffers>> bound_;  ///< one a piece of each film
-  RenderKernels kernels_;
   std::optional<gpu::Stopwatch> stopwatch_;
 };
 
