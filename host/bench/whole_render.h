@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/figure.h"
+#include "core/figure.h"
 #include "gpu/device.h"
 #include "render/stages.h"
 #include "scene/scene.h"

@@ -8,6 +8,7 @@ namespace facet::cli {
 
 void add_render_command(CommandLine& line);
 void add_bench_command(CommandLine& line);
+void add_tradeoff_command(CommandLine& line);
 void add_parity_command(CommandLine& line);
 void add_merge_command(CommandLine& line);
 void add_test_command(CommandLine& line);

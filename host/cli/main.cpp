@@ -22,7 +22,7 @@ namespace {
 const std::chrono::steady_clock::time_point process_start = std::chrono::steady_clock::now();
 
 /// Commands of the contract that are still to come.
-const std::vector<std::string> planned_commands{"tradeoff", "extremes"};
+const std::vector<std::string> planned_commands{"extremes"};
 
 /// "facet 0.1.0 (...), needs Vulkan 1.1"
 std::string version_text() {
@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   add_merge_command(line);
   add_compare_command(line);
   add_bench_command(line);
+  add_tradeoff_command(line);
   add_parity_command(line);
   add_test_command(line);
   add_info_command(line);

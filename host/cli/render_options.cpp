@@ -44,7 +44,7 @@ void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uni
   command.word("--sampling", sampling, lobe_sampling_words, help, with_uniform ? 3 : 2);
 }
 
-void add_scene_options(Command& command, RenderOptions& o) {
+void add_setting_options(Command& command, RenderOptions& o) {
   RenderRequest& r = o.request;
   command.argument("scene", o.scene, "Scene file (XML)");
   command.number("--spp", r.samples, 1, 1 << 30, "Samples per pixel");
@@ -55,10 +55,7 @@ void add_scene_options(Command& command, RenderOptions& o) {
                  "Surface interactions of a path, -1: unlimited");
   command.text("--resolution", o.resolution, "Size of the image, WxH");
   command.text("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
-  command.text("--pixel", o.pixel, "Compute only the pixel X,Y; render prints its value");
   add_seed_option(command, r.seed);
-  command.text("--sample-range", o.sample_range,
-               "Render only the samples A:B of each pixel (B excluded)");
   command.word("--heuristic", r.heuristic, heuristic_words, "MIS weights");
   command.word("--emitter-selection", r.emitter_selection, emitter_selection_words,
                "How the emitter of a light sample is chosen");
@@ -66,6 +63,13 @@ void add_scene_options(Command& command, RenderOptions& o) {
                "Masking function of Beckmann's distribution");
   add_report_options(command, o.json, o.quiet);
   command.flag("--strict", o.strict, "Warnings are errors");
+}
+
+void add_scene_options(Command& command, RenderOptions& o) {
+  add_setting_options(command, o);
+  command.text("--pixel", o.pixel, "Compute only the pixel X,Y; render prints its value");
+  command.text("--sample-range", o.sample_range,
+               "Render only the samples A:B of each pixel (B excluded)");
 }
 
 void add_render_options(Command& command, RenderOptions& o) {
@@ -106,11 +110,11 @@ RenderRequest make_request(const RenderOptions& o) {
     const auto v = parse_integers<2>(*o.sample_range, ':', "--sample-range", "A:B");
     request.sample_range = {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1])};
   }
-  if (o.error) request.error = parse_relative_error(*o.error);
+  if (o.error) request.error = parse_relative_error(*o.error, "--error");
   return request;
 }
 
-double parse_relative_error(const std::string& text) {
+double parse_relative_error(const std::string& text, const char* option) {
   std::string_view number = text;
   const bool percent = number.ends_with('%');
   if (percent) number = trimmed(number.substr(0, number.size() - 1));
@@ -118,7 +122,7 @@ double parse_relative_error(const std::string& text) {
   // Whoever writes 5 hardly means five times the image.
   if (!value || !(*value > 0) || (!percent && *value >= 1))
     throw InputError(
-        fmt::format("--error \"{}\": a relative error above 0 expected, as 1% or 0.01", text));
+        fmt::format("{} \"{}\": a relative error above 0 expected, as 1% or 0.01", option, text));
   return percent ? *value / 100 : *value;
 }
 

@@ -29,7 +29,10 @@ struct RenderOptions {
   bool strict = false;
 };
 
-/// Adds the options that name a scene and what of it is computed.
+/// Adds the options that name a scene and how it is rendered.
+void add_setting_options(Command& command, RenderOptions& options);
+
+/// The same, and those for parts of the image and of its samples.
 void add_scene_options(Command& command, RenderOptions& options);
 
 /// Adds every option of `facet render`.
@@ -47,8 +50,8 @@ void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uni
 /// The whole request. Throws InputError for what cannot be parsed.
 [[nodiscard]] RenderRequest make_request(const RenderOptions& options);
 
-/// A relative error: "1%" or "0.01". Throws InputError for anything else.
-[[nodiscard]] double parse_relative_error(const std::string& text);
+/// A relative error: "1%" or "0.01". Throws InputError, naming the option, for anything else.
+[[nodiscard]] double parse_relative_error(const std::string& text, const char* option);
 
 /// What of the scene the options replace.
 [[nodiscard]] Overridden overridden_by(const RenderOptions& options);

@@ -11,7 +11,6 @@ namespace facet {
 
 namespace {
 
-constexpr int largest_cell = 16;
 constexpr double least_contributions = 30;
 
 using Channels = std::array<double, 3>;
@@ -80,7 +79,7 @@ struct Layers {
 
 class ZTest {
  public:
-  ZTest(const Image& a, const Image& b) : a_(a), b_(b) {
+  ZTest(const Image& a, const Image& b, int least_cell) : a_(a), b_(b), least_cell_(least_cell) {
     if (a.width() != b.width() || a.height() != b.height())
       throw InputError("a z-test needs images of the same size");
   }
@@ -108,7 +107,8 @@ class ZTest {
     CellSums a = a_.sum(x, y, size);
     CellSums b = b_.sum(x, y, size);
     const double pixels = area(x, y, size);
-    if (size > 1 && can_be_divided(x, y, size, std::min(a.contributions(), b.contributions()))) {
+    if (size > least_cell_ &&
+        can_be_divided(x, y, size, std::min(a.contributions(), b.contributions()))) {
       const auto share = [pixels](Channels v) {
         for (double& c : v) c /= pixels;
         return v;
@@ -176,13 +176,14 @@ class ZTest {
 
   Layers a_;
   Layers b_;
+  int least_cell_;
   ZTestResult result_;
 };
 
 }  // namespace
 
-ZTestResult z_test(const Image& a, const Image& b, double significance) {
-  return ZTest(a, b).run(significance);
+ZTestResult z_test(const Image& a, const Image& b, double significance, int least_cell) {
+  return ZTest(a, b, least_cell).run(significance);
 }
 
 std::string ZTestResult::describe() const {

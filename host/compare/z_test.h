@@ -34,6 +34,13 @@ struct ZTestResult {
 /// And since a cell may have been spared the rare bright sample that its neighbours show, cells are
 /// divided from above, only as long as the larger cell's number leaves 30 for each part, and a
 /// part's variance counts at least as its share of the larger cell's.
-[[nodiscard]] ZTestResult z_test(const Image& a, const Image& b, double significance);
+///
+/// least_cell, a power of two: cells of fewer pixels are not tested by themselves. Larger ones show
+/// smaller differences, where these are alike all over the cell.
+[[nodiscard]] ZTestResult z_test(const Image& a, const Image& b, double significance,
+                                 int least_cell = 1);
+
+/// Sides of cells that can be the least.
+inline constexpr int largest_cell = 16;
 
 }  // namespace facet

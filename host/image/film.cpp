@@ -48,6 +48,21 @@ Image with_channels(const Image& image, const std::vector<std::string>& more) {
   return wider;
 }
 
+void add_samples(Film& film, const Film& more) {
+  film.has_squares = film.has_squares && more.has_squares;
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    PixelSums& sums = film.pixels[i];
+    const PixelSums& added = more.pixels.at(i);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sums.values[c] += added.values[c];
+      sums.squares[c] += added.squares[c];
+    }
+    if (!film.has_squares) sums.squares = {};
+    sums.samples += added.samples;
+    sums.nonzero += added.nonzero;
+  }
+}
+
 Image develop(const Film& film, bool with_variance) {
   std::vector<std::string> channels{"R", "G", "B"};
   if (with_variance) {

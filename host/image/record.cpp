@@ -141,6 +141,11 @@ constexpr std::array fields{
         [](R& r, const std::string& t) { return set_word(stopped_by_words, t, r.stopped_by); }},
 };
 
+/// Whether the field is a choice at all: the kernels have none of precision.
+bool is_chosen(const RecordField& field, const RenderRecord& record) {
+  return std::string_view(field.key) != "facet.precision" || record.backend == "reference";
+}
+
 }  // namespace
 
 std::span<const RecordField> record_fields() { return fields; }
@@ -199,8 +204,7 @@ std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int
   std::string command =
       fmt::format("facet render --pixel={},{} --resolution={}x{}", x, y, size.width, size.height);
   for (const RecordField& field : fields) {
-    // The kernels have no choice of precision.
-    if (std::string_view(field.key) == "facet.precision" && record.backend != "reference") continue;
+    if (!is_chosen(field, record)) continue;
     const bool said = field.option != nullptr && !parsed.is_missing(field);
     const Text value = said ? field.read(record) : Text();
     // Joined by =, since a value may begin with a minus.
@@ -208,6 +212,20 @@ std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int
   }
   // A name may begin with a minus.
   return command + " -- " + shell_word(record.scene);
+}
+
+std::vector<std::string> options_between(const RenderRecord& from, const RenderRecord& to) {
+  std::vector<std::string> options;
+  for (const RecordField& field : fields) {
+    if (field.option == nullptr || !is_chosen(field, to)) continue;
+    const Text value = field.read(to);
+    if (!value || value == field.read(from)) continue;
+    options.emplace_back(field.option);
+    options.push_back(*value);
+  }
+  // A pixel of an adaptive render has no command of its own, and the table no option for it.
+  if (to.adaptive && !from.adaptive) options.emplace_back("--adaptive");
+  return options;
 }
 
 bool share_samples(const RenderRecord& a, const RenderRecord& b) {

@@ -63,6 +63,11 @@ struct ParsedRecord {
 [[nodiscard]] std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x,
                                         int y);
 
+/// The options of `facet render` that make the one render of the other, word by word; samples of
+/// their own are named, if any.
+[[nodiscard]] std::vector<std::string> options_between(const RenderRecord& from,
+                                                       const RenderRecord& to);
+
 /// Whether two renders hold some of the same samples, so that their errors are not independent.
 [[nodiscard]] bool share_samples(const RenderRecord& a, const RenderRecord& b);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "image/film.h"
 #include "parts/part.h"
 
 namespace facet {

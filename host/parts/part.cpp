@@ -208,19 +208,4 @@ Film film_of_part(const Image& image, std::uint32_t most_samples, const std::str
   return film;
 }
 
-void add_samples(Film& film, const Film& more) {
-  film.has_squares = film.has_squares && more.has_squares;
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    PixelSums& sums = film.pixels[i];
-    const PixelSums& added = more.pixels.at(i);
-    for (std::size_t c = 0; c < 3; ++c) {
-      sums.values[c] += added.values[c];
-      sums.squares[c] += added.squares[c];
-    }
-    if (!film.has_squares) sums.squares = {};
-    sums.samples += added.samples;
-    sums.nonzero += added.nonzero;
-  }
-}
-
 }  // namespace facet

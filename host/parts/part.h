@@ -22,7 +22,4 @@ namespace facet {
 [[nodiscard]] Film film_of_part(const Image& image, std::uint32_t most_samples,
                                 const std::string& name);
 
-/// Adds the samples of a film of the same size. The sum keeps squares only if both have them.
-void add_samples(Film& film, const Film& more);
-
 }  // namespace facet

@@ -14,9 +14,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string rate_text(const bench::Figure& f) { return figure_text(f, 1, 6); }
+std::string rate_text(const Figure& f) { return figure_text(f, 1, 6); }
 
-ordered_json figure_json(const bench::Figure& f) {
+ordered_json figure_json(const Figure& f) {
   return {{"median", f.median}, {"min", f.min}, {"max", f.max}};
 }
 
@@ -76,12 +76,12 @@ ordered_json growth_json(const bench::GrowthSeries& series) {
 
 }  // namespace
 
-std::string figure_text(const bench::Figure& f, double scale, int width) {
+std::string figure_text(const Figure& f, double scale, int width) {
   return fmt::format("{:{}.2f} ({:.2f} to {:.2f})", f.median * scale, width, f.min * scale,
                      f.max * scale);
 }
 
-std::string seconds_text(const bench::Figure& f) {
+std::string seconds_text(const Figure& f) {
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", f.median, f.min, f.max);
 }
 

@@ -20,8 +20,8 @@ struct BenchReport {
 
 /// Median with the least and the greatest in parentheses, the median at least so many characters
 /// wide.
-[[nodiscard]] std::string figure_text(const bench::Figure& figure, double scale = 1, int width = 0);
-[[nodiscard]] std::string seconds_text(const bench::Figure& figure);
+[[nodiscard]] std::string figure_text(const Figure& figure, double scale = 1, int width = 0);
+[[nodiscard]] std::string seconds_text(const Figure& figure);
 [[nodiscard]] double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& result);
 
 /// Several lines each, the last one ended.

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/text_file.h"
 #include "report/compare_report.h"
 #include "report/histogram.h"
+#include "report/packed_image.h"
 #include "report/page.h"
 #include "report/pages/page_text.h"
 #include "version.h"
@@ -47,47 +47,6 @@ struct ErrorMap {
   }
 };
 
-/// R, G and B of each pixel as 16-bit floats, little-endian, divided by a scale.
-std::string packed_halves(const Image& image, float scale) {
-  const auto planes = rgb_planes(image);
-  const auto pixels =
-      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(6 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (const float* plane : planes) {
-      const float v = plane[i] / scale;
-      // The largest half stands for what exceeds it; infinity stays.
-      const std::uint16_t half =
-          glm::packHalf1x16(std::isfinite(v) ? std::clamp(v, -65504.F, 65504.F) : v);
-      bytes.push_back(static_cast<std::uint8_t>(half & 0xFFU));
-      bytes.push_back(static_cast<std::uint8_t>(half >> 8U));
-    }
-  }
-  return base64(bytes);
-}
-
-/// The power of two that brings the images into the range of 16-bit floats, best at 1 unless they
-/// need another.
-float half_scale(const Image& a, const Image& b) {
-  float largest = 0;
-  for (const Image* image : {&a, &b}) {
-    const auto pixels =
-        static_cast<std::size_t>(image->width()) * static_cast<std::size_t>(image->height());
-    for (const float* plane : rgb_planes(*image)) {
-      for (std::size_t i = 0; i < pixels; ++i) {
-        if (std::isfinite(plane[i])) largest = std::max(largest, std::abs(plane[i]));
-      }
-    }
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  // Halves keep all their digits from 2^-14 to 2^15.
-  return exponent > 15 || (largest > 0 && exponent < 0)
-             ? std::ldexp(1.F, std::clamp(exponent - 15, -126, 127))
-             : 1.F;
-}
-
 /// The headers side by side: [{"key", "a", "b"}].
 nlohmann::ordered_json origins(const Comparison& c) {
   std::vector<std::string> keys;
@@ -116,7 +75,7 @@ nlohmann::ordered_json metrics(const CompareOptions& options, const Comparison& 
 
 /// What the page draws, beside the report of --json.
 nlohmann::ordered_json page_data(const CompareOptions& options, const Comparison& c) {
-  const float scale = half_scale(c.image, c.reference);
+  const float scale = half_scale(std::array{&c.image, &c.reference});
   std::vector<double> relative;
   relative.reserve(c.errors.terms.size());
   for (const double term : c.errors.terms) relative.push_back(std::sqrt(term));
@@ -160,9 +119,9 @@ void write_compare_page(const std::string& path, const CompareOptions& options,
     throw InputError(fmt::format("{}: a page holds at most {} pixels, not {}; render a --crop",
                                  path, most_pixels, comparison.errors.pixels));
   }
-  write_text(
-      path, make_page(page_text::compare_html, {page_text::page_css, page_text::compare_css},
-                      {page_text::draw_js, page_text::compare_js}, page_data(options, comparison)));
+  write_text(path, make_page(page_text::compare_html, {page_text::page_css, page_text::compare_css},
+                             {page_text::draw_js, page_text::images_js, page_text::compare_js},
+                             page_data(options, comparison)));
 }
 
 }  // namespace facet::report

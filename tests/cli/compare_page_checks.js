@@ -1,5 +1,4 @@
-// Drives the controls of the page of facet compare --html and leaves what it finds in an element of
-// its own, for compare_page_test.cpp. `problems` holds the errors so far.
+// Drives the controls of the page of facet compare --html, for compare_page_test.cpp.
 const byId = (id) => document.getElementById(id);
 const results = {};
 const colour = (id, x, y) =>
@@ -89,25 +88,7 @@ results.origins = texts('section:last-of-type tbody')[0];
 results.metrics = texts('[aria-labelledby=metrics-title] tbody th');
 results.bars = Array.from(
     document.querySelectorAll('svg[role=img]'), (svg) => svg.querySelectorAll('.bar').length);
-results.nameless =
-    Array.from(document.querySelectorAll('input, select, button, canvas, svg'))
-        .filter((e) => !e.labels?.length && !e.getAttribute('aria-label') && !e.textContent.trim())
-        .map((e) => e.outerHTML);
 results.contrast = Math.min(
     ...['body', 'header p', 'th', 'figcaption', 'kbd', '.fails li', '.differs td', 'code'].map(
         contrast));
 results.background = background();
-results.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
-results.requests = performance.getEntriesByType('resource').map((entry) => entry.name);
-results.problems = problems;
-const report = document.createElement('pre');
-report.id = 'report';
-// No character that HTML would escape.
-report.textContent = 'BEGIN' +
-    Array
-        .from(
-            new TextEncoder().encode(JSON.stringify(results)),
-            (b) => b.toString(16).padStart(2, '0'))
-        .join('') +
-    'END';
-document.body.append(report);

@@ -3,34 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/browser.h"
+#include "cli/page_checks.h"
 #include "cli/program.h"
 #include "image/files.h"
 
 namespace facet::test {
 
 namespace {
-
-/// Gathers what scripts of the page report, errors among it, into an element of its own.
-/// Gathers errors from the start.
-constexpr std::string_view listener =
-    "<script>const problems = [];"
-    "window.addEventListener('error', (event) => problems.push(String(event.message)));"
-    "document.addEventListener('securitypolicyviolation', (event) => "
-    "problems.push(event.blockedURI));</script>";
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-std::string decode_hexadecimal(const std::string& digits) {
-  std::string result;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
-    result += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-  return result;
-}
 
 class ComparePageTest : public CliTest {
  protected:
@@ -64,18 +43,7 @@ class ComparePageTest : public CliTest {
 
   /// What the script found in the page.
   [[nodiscard]] nlohmann::json look(const std::string& options = "") const {
-    std::string page = folder_.read("page.html");
-    page.insert(page.find("<title>"), listener);
-    page.insert(page.rfind("</body>"), "<script>" + text_of(FACET_PAGE_CHECKS) + "</script>");
-    folder_.write("copy.html", page);
-    const std::string dom = dump_dom(browser_, folder_.file("copy.html"), options);
-    const std::size_t begin = dom.find("BEGIN", dom.find("id=\"report\""));
-    const std::size_t end = dom.find("END", begin);
-    if (end == std::string::npos) {
-      ADD_FAILURE() << "the page's script did not reach its end: " << dom.substr(0, 2000);
-      return {};
-    }
-    return nlohmann::json::parse(decode_hexadecimal(dom.substr(begin + 5, end - begin - 5)));
+    return look_at(browser_, folder_.file("page.html"), FACET_PAGE_CHECKS, options);
   }
 
   const std::string name_a_ = "a<b>&\"'{{data}}.exr";

@@ -100,8 +100,10 @@ const logTicks = (least, greatest) => {
   return ticks.filter((t, i) => i === 0 || i === ticks.length - 1 || Math.log10(t) % 1 === 0);
 };
 
-/// Lines of (x, y) > 0, at most three, both axes logarithmic; nothing without points.
-const lineChart = (title, xAxis, yAxis, lines) => {
+/// Lines of (x, y) > 0, both axes logarithmic; nothing without points. At most three have their
+/// names above; the others are `quiet` and tell them when pointed at. A point may say more of
+/// itself in a third place. The caption is the title where there is none.
+const lineChart = (title, xAxis, yAxis, lines, caption) => {
   const drawn = lines.filter((line) => line.points.length > 0);
   if (drawn.length === 0) return '';
   const left = 56, right = 16, top = 34, bottom = 42, width = 480, height = 280;
@@ -123,18 +125,23 @@ const lineChart = (title, xAxis, yAxis, lines) => {
   shapes.push(
       label((left + width - right) / 2, height - 6, 'middle', xAxis),
       label(width - right, 12, 'end', yAxis));
-  drawn.forEach((line, i) => {
+  const shapeOf = (line, kind) => {
     const at = line.points.map(([px, py]) => `${x.place(px).toFixed(1)} ${y.place(py).toFixed(1)}`);
+    return svg(
+        'g', {class: 'lines'},
+        svg('path', {class: kind, style: 'fill:none', d: `M${at.join('L')}`}),
+        svg('g', {class: kind},
+            ...line.points.map(
+                ([px, py, more = '']) => svg(
+                    'circle', {cx: x.place(px), cy: y.place(py), r: 3},
+                    svg('title', {}, `${line.name}: ${short(py, 3)} at ${short(px, 3)}${more}`)))));
+  };
+  shapes.push(...drawn.filter((line) => line.quiet).map((line) => shapeOf(line, 'quiet')));
+  drawn.filter((line) => !line.quiet).forEach((line, i) => {
     shapes.push(
-        svg('g', {class: 'lines'},
-            svg('path', {class: classes[i], style: 'fill:none', d: `M${at.join('L')}`}),
-            svg('g', {class: classes[i]},
-                ...line.points.map(
-                    ([px, py]) =>
-                        svg('circle', {cx: x.place(px), cy: y.place(py), r: 3},
-                            svg('title', {}, `${line.name}: ${short(py)} at ${short(px)}`)))),
-            svg('path', {class: classes[i], d: `M${left + 110 * i} 24h22`})),
+        shapeOf(line, classes[i]),
+        svg('g', {class: 'lines'}, svg('path', {class: classes[i], d: `M${left + 110 * i} 24h22`})),
         label(left + 110 * i + 28, 28, 'start', line.name, {class: 'name'}));
   });
-  return figure(title, title, width, height, shapes);
+  return figure(title, caption ?? title, width, height, shapes);
 };

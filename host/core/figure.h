@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace facet::bench {
+namespace facet {
 
 struct Figure {
   double median = 0;
@@ -17,4 +17,4 @@ struct Figure {
   return {values[(values.size() - 1) / 2], values.front(), values.back()};
 }
 
-}  // namespace facet::bench
+}  // namespace facet

@@ -1,0 +1,259 @@
+#include "tradeoff/choices.h"
+
+#include <algorithm>
+
+#include "core/words.h"
+#include "image/record.h"
+
+namespace facet::tradeoff {
+
+namespace {
+
+/// Maximum depths worth a look.
+constexpr std::array depths{2, 3, 5, 8};
+
+template <typename Condition>
+bool some_rough_bsdf(const Scene& scene, const Condition& condition) {
+  return std::ranges::any_of(scene.bsdfs, [&](const Bsdf& bsdf) {
+    return std::visit(
+        [&](const auto& b) {
+          if constexpr (requires { b.options; }) return condition(b.options);
+          return false;
+        },
+        bsdf);
+  });
+}
+
+/// Triangles that emit and other emitters.
+std::size_t emitting_pieces(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Emitter& emitter : scene.emitters) {
+    const auto* area = std::get_if<AreaEmitter>(&emitter);
+    count += area != nullptr ? scene.meshes[area->mesh].position_indices.size() : 1;
+  }
+  return count;
+}
+
+/// Whether two integrators estimate the same, by different means.
+bool are_alternatives(const IntegratorType& a, const IntegratorType& b) {
+  const auto means = [](const IntegratorType& t) {
+    return std::tuple(t.emitter_sampling, t.every_emitter, t.material_sampling);
+  };
+  const auto estimates_light = [](const IntegratorType& t) {
+    return t.emitter_sampling || t.material_sampling;
+  };
+  // Sampling every emitter, paths of several interactions go on at delta lobes alone.
+  const auto goes_on = [](const IntegratorType& t) {
+    return !t.every_emitter || t.interactions == 1;
+  };
+  return estimates_light(a) && estimates_light(b) && goes_on(a) && goes_on(b) &&
+         a.interactions == b.interactions && means(a) != means(b);
+}
+
+/// One thing decided otherwise.
+struct Choice {
+  std::string kind;
+  std::function<void(Plan&)> make;
+};
+
+/// Lists the choices that a resolved plan leaves.
+class ChoiceList {
+ public:
+  ChoiceList(const Scene& scene, const Plan& plan)
+      : scene_(scene), plan_(plan), now_(settings_of(scene, plan)) {}
+
+  std::vector<Choice> unbiased() {
+    add_integrators();
+    for (const std::string_view name : sampler_names) {
+      if (name != name_of(now_.sampler))
+        add("sampler", [name](Plan& p) { p.request.sampler = name; });
+    }
+    add_sampling();
+    add_emitter_selection();
+    const IntegratorType& type = now_.integrator.type;
+    if (type.emitter_sampling && type.material_sampling) {
+      add_words("heuristic", heuristic_words, now_.integrator.heuristic,
+                [](Plan& p, Heuristic value) { p.request.heuristic = value; });
+    }
+    const bool adaptive = !now_.adaptive;
+    add("adaptive", [adaptive](Plan& p) { p.request.adaptive = adaptive; });
+    return std::move(list_);
+  }
+
+  std::vector<Choice> biased() {
+    const int limit = now_.integrator.interaction_limit();
+    for (const int depth : depths) {
+      if (now_.integrator.type.interactions < 0 && now_.integrator.needs_emitters() &&
+          (limit < 0 || depth < limit))
+        add("max-depth", [depth](Plan& p) { p.request.max_depth = depth; });
+    }
+    const bool inexact = some_rough_bsdf(scene_, [](const bsdf::MicrofacetOptions& o) {
+      return o.distribution == bsdf::Distribution::beckmann && o.masking != Masking::exact;
+    });
+    if (inexact && now_.masking != Masking::exact)
+      add("masking", [](Plan& p) { p.request.masking = Masking::exact; });
+    if (!plan_.reference) {
+      for (const auto& word : precision_words)
+        add("precision", [value = word.value](Plan& p) { p.reference = value; });
+    }
+    return std::move(list_);
+  }
+
+ private:
+  void add(std::string kind, std::function<void(Plan&)> make) {
+    list_.push_back({std::move(kind), std::move(make)});
+  }
+
+  template <typename Words, typename Value, typename Set>
+  void add_words(const std::string& kind, const Words& words, const Value& now, const Set& set) {
+    for (const auto& word : words) {
+      if (word.value == now) continue;
+      add(kind, [set, value = word.value](Plan& p) { set(p, value); });
+    }
+  }
+
+  void add_integrators() {
+    std::vector<IntegratorType> known;
+    for (const IntegratorType& type : integrator_types()) {
+      const bool is_another_name = std::ranges::any_of(
+          known, [&](const IntegratorType& k) { return !are_alternatives(k, type); });
+      if (!are_alternatives(now_.integrator.type, type) || is_another_name) continue;
+      if (type.every_emitter && scene_.emitters.size() < 2) continue;
+      known.push_back(type);
+      add("integrator", [name = type.name](Plan& p) { p.request.integrator = name; });
+    }
+  }
+
+  void add_sampling() {
+    const IntegratorType& type = now_.integrator.type;
+    const bool is_used =
+        type.material_sampling || (type.emitter_sampling && type.interactions != 1);
+    if (!is_used || !some_rough_bsdf(scene_, [](const auto&) { return true; })) return;
+    const std::array of_kernels{lobe_sampling_words[0], lobe_sampling_words[1]};
+    add_words("sampling", of_kernels, now_.sampling,
+              [](Plan& p, LobeSampling value) { p.request.sampling = value; });
+  }
+
+  void add_emitter_selection() {
+    const IntegratorType& type = now_.integrator.type;
+    if (!type.emitter_sampling || type.every_emitter || emitting_pieces(scene_) < 2) return;
+    const EmitterSelection now = now_.integrator.emitter_selection;
+    for (const auto& word : emitter_selection_words) {
+      // Power tells emitters apart, not the triangles of one.
+      const bool means_nothing =
+          word.value == EmitterSelection::uniform && scene_.emitters.size() < 2;
+      if (word.value == now || means_nothing) continue;
+      add("emitter-selection",
+          [value = word.value](Plan& p) { p.request.emitter_selection = value; });
+    }
+  }
+
+  const Scene& scene_;
+  const Plan& plan_;
+  RenderSettings now_;
+  std::vector<Choice> list_;
+};
+
+/// What a plan comes to, without samples, which every render has other ones of.
+RenderRecord record_for(const Scene& scene, const Plan& plan) {
+  RenderRecord record = record_of(scene, settings_of(scene, plan));
+  record.backend = plan.reference ? "reference" : "vulkan";
+  record.precision = plan.reference.value_or(Precision::float_);
+  record.samples = {};
+  return record;
+}
+
+bool has_choice(const Scene& scene, const Plan& plan, const std::string& kind) {
+  return std::ranges::any_of(ChoiceList(scene, plan).unbiased(),
+                             [&](const Choice& choice) { return choice.kind == kind; });
+}
+
+/// What a plan has no use for becomes as in the base.
+void clear_meaningless(const Scene& scene, Plan& plan, const Plan& base) {
+  if (!has_choice(scene, plan, "heuristic")) plan.request.heuristic = base.request.heuristic;
+  if (!has_choice(scene, plan, "emitter-selection"))
+    plan.request.emitter_selection = base.request.emitter_selection;
+  if (!has_choice(scene, plan, "sampling")) plan.request.sampling = base.request.sampling;
+}
+
+}  // namespace
+
+RenderSettings settings_of(const Scene& scene, const Plan& plan) {
+  RenderRequest request = plan.request;
+  // What a scene asks for may be too few for adaptive sampling.
+  request.samples = least_adaptive_samples;
+  return resolve(scene, request);
+}
+
+std::vector<Candidate> candidates_around(const Scene& scene, const Plan& plan, const Plan& base,
+                                         bool with_biased) {
+  std::vector<Candidate> candidates;
+  const auto add = [&](const std::vector<Choice>& choices, bool biased) {
+    for (const Choice& choice : choices) {
+      Plan changed = plan;
+      choice.make(changed);
+      clear_meaningless(scene, changed, base);
+      candidates.push_back({changed, options_of(scene, changed), choice.kind, biased, choice.make});
+    }
+  };
+  add(ChoiceList(scene, plan).unbiased(), false);
+  if (with_biased) add(ChoiceList(scene, plan).biased(), true);
+  return candidates;
+}
+
+Plan combine(const Scene& scene, const Plan& base, std::vector<Candidate> candidates) {
+  // What others mean depends on the integrator.
+  std::ranges::stable_partition(candidates,
+                                [](const Candidate& c) { return c.kind == "integrator"; });
+  Plan plan = base;
+  for (const Candidate& candidate : candidates) {
+    if (has_choice(scene, plan, candidate.kind)) candidate.make(plan);
+    clear_meaningless(scene, plan, base);
+  }
+  return plan;
+}
+
+Plan reference_plan(const Scene& scene, const Plan& plan) {
+  Plan best = plan;
+  RenderRequest& r = best.request;
+  r.sampler = name_of(Sampler::sobol);
+  r.sampling = LobeSampling::visible;
+  r.emitter_selection = EmitterSelection::contribution;
+  r.heuristic = Heuristic::power;
+  r.adaptive = false;
+  best.reference.reset();
+  const IntegratorType now = settings_of(scene, plan).integrator.type;
+  for (const IntegratorType& type : integrator_types()) {
+    if (are_alternatives(now, type) && type.emitter_sampling && type.material_sampling)
+      r.integrator = type.name;
+  }
+  return best;
+}
+
+std::vector<std::string> options_of(const Scene& scene, const Plan& plan) {
+  // What a depth means is told by the integrator, and a scene may leave that to whoever renders it.
+  Plan said;
+  said.request.integrator = plan.request.integrator;
+  RenderRecord own = record_for(scene, said);
+  own.integrator = scene.integrator.type.name;
+  return options_between(own, record_for(scene, plan));
+}
+
+std::string name_of(const Scene& scene, const Plan& plan, const Plan& base) {
+  const std::vector<std::string> options =
+      options_between(record_for(scene, base), record_for(scene, plan));
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const bool has_value = i + 1 < options.size() && !options[i + 1].starts_with("--");
+    const std::string value = has_value ? options[i + 1] : "";
+    // These two are known by their values.
+    const bool by_value = options[i] == "--integrator" || options[i] == "--sampler";
+    const std::string option = options[i].substr(2);
+    names.push_back(by_value ? value : has_value ? option + ' ' + value : option);
+    if (has_value) ++i;
+  }
+  if (base.request.adaptive && !plan.request.adaptive) names.emplace_back("not adaptive");
+  return names.empty() ? "default" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace facet::tradeoff
