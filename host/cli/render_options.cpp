@@ -59,6 +59,11 @@ void add_setting_options(Command& command, RenderOptions& o) {
   command.word("--heuristic", r.heuristic, heuristic_words, "MIS weights");
   command.word("--emitter-selection", r.emitter_selection, emitter_selection_words,
                "How the emitter of a light sample is chosen");
+  command.word("--environment-sampling", r.environment_sampling, environment_sampling_words,
+               "How an environment is sampled where BSDFs are sampled as well");
+  command.number("--emitter-candidates", r.emitter_candidates, 1,
+                 static_cast<int>(shared::LARGEST_CANDIDATES),
+                 "Emitter samples of which one is taken, by what it would contribute unshadowed");
   command.word("--masking", r.masking, masking_words,
                "Masking function of Beckmann's distribution");
   add_report_options(command, o.json, o.quiet);

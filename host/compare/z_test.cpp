@@ -11,8 +11,6 @@ namespace facet {
 
 namespace {
 
-constexpr double least_contributions = 30;
-
 using Channels = std::array<double, 3>;
 
 /// Sums over a cell of one image.
@@ -79,7 +77,7 @@ struct Layers {
 
 class ZTest {
  public:
-  ZTest(const Image& a, const Image& b, int least_cell) : a_(a), b_(b), least_cell_(least_cell) {
+  ZTest(const Image& a, const Image& b, const ZTestCells& cells) : a_(a), b_(b), cells_(cells) {
     if (a.width() != b.width() || a.height() != b.height())
       throw InputError("a z-test needs images of the same size");
   }
@@ -107,7 +105,7 @@ class ZTest {
     CellSums a = a_.sum(x, y, size);
     CellSums b = b_.sum(x, y, size);
     const double pixels = area(x, y, size);
-    if (size > least_cell_ &&
+    if (size > cells_.least &&
         can_be_divided(x, y, size, std::min(a.contributions(), b.contributions()))) {
       const auto share = [pixels](Channels v) {
         for (double& c : v) c /= pixels;
@@ -141,12 +139,12 @@ class ZTest {
   /// images, or is black in both.
   [[nodiscard]] bool can_be_divided(int x, int y, int size, double contributions) const {
     bool divide = true;
-    bool any = contributions >= 4 * least_contributions;
+    bool any = contributions >= 4 * cells_.contributions;
     for_each_part(x, y, size, [&](int px, int py) {
       const double a = a_.sum(px, py, size / 2).contributions();
       const double b = b_.sum(px, py, size / 2).contributions();
-      divide =
-          divide && ((a >= least_contributions && b >= least_contributions) || (a == 0 && b == 0));
+      divide = divide &&
+               ((a >= cells_.contributions && b >= cells_.contributions) || (a == 0 && b == 0));
       any = any || (a == 0 && b == 0);
     });
     return divide && any;
@@ -159,7 +157,7 @@ class ZTest {
       if (a.value[c] != b.value[c]) ++result_.unequal;
       return;
     }
-    if (std::min(a.contributions(), b.contributions()) < least_contributions) {
+    if (std::min(a.contributions(), b.contributions()) < cells_.contributions) {
       ++result_.untestable;
       return;
     }
@@ -176,14 +174,14 @@ class ZTest {
 
   Layers a_;
   Layers b_;
-  int least_cell_;
+  ZTestCells cells_;
   ZTestResult result_;
 };
 
 }  // namespace
 
-ZTestResult z_test(const Image& a, const Image& b, double significance, int least_cell) {
-  return ZTest(a, b, least_cell).run(significance);
+ZTestResult z_test(const Image& a, const Image& b, double significance, const ZTestCells& cells) {
+  return ZTest(a, b, cells).run(significance);
 }
 
 std::string ZTestResult::describe() const {

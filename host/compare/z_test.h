@@ -23,24 +23,30 @@ struct ZTestResult {
   [[nodiscard]] std::string describe() const;
 };
 
+inline constexpr int largest_cell = 16;
+
+/// What is tested by itself.
+struct ZTestCells {
+  /// Side of the least cell in pixels, a power of two up to largest_cell. Larger ones show smaller
+  /// differences, where these are alike all over the cell.
+  int least = 1;
+  /// Contributions that a cell must have. With 30, quantiles of probabilities about 10^-5 are right
+  /// within a factor of seven where few samples carry all; with 1000 within one and a half.
+  double contributions = 30;
+};
+
 /// z = |a - b| / sqrt(var_a + var_b) per cell and channel against the normal quantile of the
 /// two-sided significance, with Sidak's correction over cells times channels. Where both variances
 /// are 0, the values must be equal. Both images need the variance channels of --aov variance and
 /// the same size.
 ///
-/// A cell is a pixel, merged up to 16x16 until both images hold at least 30 contributions there, so
-/// that the normal distribution applies. Contributions are counted as L. Kish's effective number
-/// (sum x)^2 / sum x^2: a thousand samples of which one outweighs all others are one contribution.
-/// And since a cell may have been spared the rare bright sample that its neighbours show, cells are
-/// divided from above, only as long as the larger cell's number leaves 30 for each part, and a
-/// part's variance counts at least as its share of the larger cell's.
-///
-/// least_cell, a power of two: cells of fewer pixels are not tested by themselves. Larger ones show
-/// smaller differences, where these are alike all over the cell.
+/// A cell is a pixel, merged up to 16x16 until both images hold at least so many contributions (30)
+/// there, so that the normal distribution applies. Contributions are counted as L. Kish's effective
+/// number (sum x)^2 / sum x^2: a thousand samples of which one outweighs all others are one
+/// contribution. And since a cell may have been spared the rare bright sample that its neighbours
+/// show, cells are divided from above, only as long as the larger cell's number leaves as many for
+/// each part, and a part's variance counts at least as its share of the larger cell's.
 [[nodiscard]] ZTestResult z_test(const Image& a, const Image& b, double significance,
-                                 int least_cell = 1);
-
-/// Sides of cells that can be the least.
-inline constexpr int largest_cell = 16;
+                                 const ZTestCells& cells = {});
 
 }  // namespace facet

@@ -23,6 +23,9 @@ inline constexpr std::array heuristic_words{Word{Heuristic::balance, "balance"},
 inline constexpr std::array emitter_selection_words{
     Word{EmitterSelection::contribution, "contribution"}, Word{EmitterSelection::power, "power"},
     Word{EmitterSelection::uniform, "uniform"}};
+inline constexpr std::array environment_sampling_words{
+    Word{EnvironmentSampling::compensated, "compensated"},
+    Word{EnvironmentSampling::radiance, "radiance"}};
 inline constexpr std::array masking_words{Word{Masking::rational, "rational"},
                                           Word{Masking::exact, "exact"}};
 inline constexpr std::array lobe_sampling_words{Word{LobeSampling::ndf, "ndf"},

@@ -93,6 +93,18 @@ constexpr std::array fields{
         [](R& r, const std::string& t) {
           return set_word(emitter_selection_words, t, r.emitter_selection);
         }},
+    RecordField{"facet.environmentSampling", "environment_sampling", false,
+                "--environment-sampling", "environment sampling", true, "compensated or radiance",
+                [](const R& r) -> Text {
+                  return word_of(environment_sampling_words, r.environment_sampling);
+                },
+                [](R& r, const std::string& t) {
+                  return set_word(environment_sampling_words, t, r.environment_sampling);
+                }},
+    RecordField{"facet.emitterCandidates", "emitter_candidates", true, "--emitter-candidates",
+                "candidates of an emitter sample", true, "an integer from 1 on",
+                [](const R& r) -> Text { return fmt::format("{}", r.emitter_candidates); },
+                [](R& r, const std::string& t) { return set_integer(t, 1, r.emitter_candidates); }},
     RecordField{"facet.sampler", "sampler", false, "--sampler", "sampler", true, any_text,
                 [](const R& r) -> Text { return r.sampler; },
                 [](R& r, const std::string& t) { return set_text(t, r.sampler); }},

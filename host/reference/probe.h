@@ -27,16 +27,18 @@ enum class DecisionKind : std::uint8_t {
   tail,         ///< is D zero: tan^2/alpha^2 - 87
   reflectance,  ///< is reflection total
   cell,  ///< in which cell of the environment's density or of a checker lies a direction or a point
-  texel,     ///< between which texels of an image: its slope changes there
-  roulette,  ///< does the path go on: u - q
-  light,     ///< how is the probability of one of two lights rounded
+  texel,      ///< between which texels of an image: its slope changes there
+  roulette,   ///< does the path go on: u - q
+  light,      ///< how is the probability of one of two lights rounded
+  candidate,  ///< which candidate of an emitter sample is taken: its share of the sum
 };
 
 [[nodiscard]] const char* decision_name(DecisionKind kind);
 
 /// One decision of a sample. ray: 2 (k - 1) for the path's ray to interaction k and what is decided
 /// there, one more for that interaction's shadow ray and emitter sample. emitter: where every
-/// emitter is sampled. item: which of several, for instance the triangle.
+/// emitter is sampled; or a candidate of an emitter sample. item: which of several, for instance
+/// the triangle.
 struct DecisionKey {
   DecisionKind kind{};
   std::uint32_t ray = 0;

@@ -34,6 +34,16 @@ struct Block {
   [[nodiscard]] Real number(std::uint32_t component) const {
     return number_of<Real>(word(component));
   }
+
+  /// That of candidate i of `count` emitter samples, of which this is the first.
+  [[nodiscard]] Block candidate(std::uint32_t i, std::uint32_t count) const {
+    Block block = *this;
+    const shared::uvec2 pair =
+        shared::candidate_words({word(shared::EMITTER_U), word(shared::EMITTER_V)}, i, count);
+    block.words[static_cast<int>(shared::EMITTER_U)] = pair.x;
+    block.words[static_cast<int>(shared::EMITTER_V)] = pair.y;
+    return block;
+  }
 };
 
 [[nodiscard]] inline Block block_of(const SampleId& id, std::uint32_t block) {

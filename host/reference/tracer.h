@@ -1,6 +1,7 @@
 #pragma once
 // One sample from the camera to its radiance, by every integrator (docs/sampling.md).
 #include <optional>
+#include <vector>
 
 #include "reference/scene_rays.h"
 #include "reference/world.h"
@@ -12,7 +13,12 @@ template <typename Real, typename Probe>
 class Tracer {
  public:
   Tracer(const World<Real>& world, const SampleId& id, Probe& probe)
-      : world_(world), integrator_(world.integrator), id_(id), probe_(probe), rays_(world, probe) {}
+      : world_(world),
+        integrator_(world.integrator),
+        candidates_(static_cast<Real>(world.integrator.candidates())),
+        id_(id),
+        probe_(probe),
+        rays_(world, probe) {}
 
   /// Radiance in W sr^-1 m^-2 (or what the integrator shows) along the sample's ray through pixel
   /// (x, y).
@@ -108,16 +114,30 @@ class Tracer {
     return 1 / (1 + (integrator_.heuristic == Heuristic::power ? r * r : r));
   }
 
-  /// Light by way of one sample of an emitter, for a path of throughput 1.
-  [[nodiscard]] Vec3<Real> light_of(const EmitterSample<Real>& e, const Interaction& at) {
-    const Surface<Real>& s = at.surface;
+  /// An emitter sample with what it contributes to a path of throughput 1 where nothing stands in
+  /// its way.
+  struct Light {
+    EmitterSample<Real> sample;
+    Vec3<Real> unshadowed{0};
+    bool weighted = false;  ///< by MIS
+  };
+
+  [[nodiscard]] Light light_of(const EmitterSample<Real>& e, const Interaction& at) {
+    Light light{e};
     const Vec3<Real> wi = probe_.nudged(at.frame.to_local(e.direction));
-    if (!(e.pdf > 0)) return Vec3<Real>(0);
-    Vec3<Real> light = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (std::abs(wi.z) / e.pdf);
-    const bool weighted = integrator_.type.material_sampling && !e.is_point;
-    if (weighted) light *= weight(e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
-    if (light == Vec3<Real>(0)) return light;
-    Ray<Real> shadow{s.origin_towards(e.direction, 0, probe_), e.direction};
+    if (!(e.pdf > 0)) return light;
+    light.unshadowed = at.bsdf.eval(at.wo, wi, probe_) * e.radiance * (std::abs(wi.z) / e.pdf);
+    light.weighted = integrator_.type.material_sampling && !e.is_point;
+    if (light.weighted)
+      light.unshadowed *= weight(candidates_ * e.pdf, at.bsdf.pdf(at.wo, wi, probe_));
+    return light;
+  }
+
+  /// What of it arrives.
+  [[nodiscard]] Vec3<Real> arriving(const Light& light, const Interaction& at) {
+    if (light.unshadowed == Vec3<Real>(0)) return light.unshadowed;
+    const EmitterSample<Real>& e = light.sample;
+    Ray<Real> shadow{at.surface.origin_towards(e.direction, 0, probe_), e.direction};
     if (!e.at_infinity) {
       shadow.direction = probe_.nudged(e.end - shadow.origin);
       shadow.t_max = 1;
@@ -129,26 +149,55 @@ class Tracer {
     // What does not contribute cannot be at fault.
     probe_.uses(Part::emitter_sample, e.emitter);
     probe_.uses(Part::bsdf_eval, at.bsdf.type());
-    if (weighted) probe_.uses(Part::bsdf_pdf, at.bsdf.type());
-    return light;
+    if (light.weighted) probe_.uses(Part::bsdf_pdf, at.bsdf.type());
+    return light.unshadowed;
+  }
+
+  /// The emitter sample of interaction k: one of the candidates, by the luminance of what each
+  /// contributes unshadowed, which then stands for all of them.
+  [[nodiscard]] Light chosen_light(const Interaction& at, std::uint32_t k) {
+    const auto count = static_cast<std::uint32_t>(integrator_.candidates());
+    const Block first = bounce_block(id_, k, shared::BOUNCE_EMITTER);
+    std::array<Light, shared::LARGEST_CANDIDATES> lights;
+    std::array<Real, shared::LARGEST_CANDIDATES> weights{};
+    Real sum = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      probe_.at_ray(2 * k - 1, i);
+      const Block block = first.candidate(i, count);
+      lights[i] = light_of(world_.sample_emitter(at.surface, receiver(at), block, probe_), at);
+      const Vec3<Real>& c = lights[i].unshadowed;
+      weights[i] = Real(0.2126) * c.x + Real(0.7152) * c.y + Real(0.0722) * c.z;
+      sum += weights[i];
+    }
+    if (count == 1 || !(sum > 0)) return lights[0];
+    const Real share = block_of(id_, shared::BLOCK_CANDIDATES + k - 1).template number<Real>(0);
+    std::uint32_t chosen = 0;
+    Real before = 0;
+    for (std::uint32_t i = 0; i + 1 < count; ++i) {
+      probe_.at_ray(2 * k - 1, i);
+      before += weights[i];
+      const auto margin = static_cast<double>(share - before / sum);
+      if (probe_.decide(DecisionKind::candidate, 0, share * sum >= before, margin)) ++chosen;
+    }
+    probe_.at_ray(2 * k - 1, chosen);
+    lights[chosen].unshadowed *= sum / (static_cast<Real>(count) * weights[chosen]);
+    return lights[chosen];
   }
 
   /// Adds the light of emitter samples at interaction k.
   void add_emitter_samples(const Interaction& at, std::uint32_t k, const Vec3<Real>& throughput,
                            Vec3<Real>& radiance) {
     if (!integrator_.type.every_emitter) {
-      probe_.at_ray(2 * k - 1);
-      const Block block = bounce_block(id_, k, shared::BOUNCE_EMITTER);
-      radiance +=
-          throughput * light_of(world_.sample_emitter(at.surface, receiver(at), block, probe_), at);
+      radiance += throughput * arriving(chosen_light(at, k), at);
       return;
     }
     const std::size_t count = world_.scene.emitters.size();
     for (std::size_t e = 0; e < count; ++e) {
       probe_.at_ray(2 * k - 1, e);
       const Block block = emitter_block(id_, k, e, count);
-      radiance += throughput *
-                  light_of(world_.sample_emitter(e, at.surface, EmitterNumbers(block), probe_), at);
+      const EmitterSample<Real> sample =
+          world_.sample_emitter(e, at.surface, EmitterNumbers(block), probe_);
+      radiance += throughput * arriving(light_of(sample, at), at);
     }
   }
 
@@ -181,7 +230,7 @@ class Tracer {
     if (!by_delta && !integrator_.type.material_sampling) return Vec3<Real>(0);
     probe_.uses(Part::emission_found, found.emitter);
     if (by_delta || !samples_emitters()) return found.radiance;
-    return found.radiance * weight(pdf, found.pdf);
+    return found.radiance * weight(pdf, candidates_ * found.pdf);
   }
 
   [[nodiscard]] bool samples_emitters() const {
@@ -258,6 +307,7 @@ class Tracer {
 
   const World<Real>& world_;
   const Integrator& integrator_;
+  Real candidates_;  ///< of an emitter sample
   SampleId id_;
   Probe& probe_;
   SceneRays<Real, Probe> rays_;

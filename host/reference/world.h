@@ -197,7 +197,8 @@ class World {
     } else {
       environment_ = static_cast<std::uint32_t>(lights_.size());
       lights_.emplace_back(std::in_place_type<Environment<Real>>,
-                           std::get<EnvironmentEmitter>(emitter));
+                           std::get<EnvironmentEmitter>(emitter),
+                           integrator.compensates_environment());
     }
     return std::visit([&](const auto& light) { return light.power(geometry.bounds); },
                       lights_.back());

@@ -82,6 +82,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_TEXTURE_KINDS] = texture_kinds;
   c[shared::SPEC_EVERY_EMITTER] = integrator.type.every_emitter ? 1 : 0;
   c[shared::SPEC_NEGATIVE_FILTER] = negative_filter ? 1 : 0;
+  c[shared::SPEC_CANDIDATES] = static_cast<std::uint32_t>(integrator.candidates());
   c[shared::SPEC_ONLY_BOUNCE] = bounce_limit() == 1 ? 1 : 0;
   c[shared::SPEC_SAMPLER] = static_cast<std::uint32_t>(sampler);
   return c;
@@ -102,6 +103,8 @@ std::vector<std::string> Features::names() const {
                                                                  : "balance heuristic");
     }
     if (light_tree) list.emplace_back("light tree");
+    if (integrator.candidates() > 1)
+      list.push_back(fmt::format("{} candidates of an emitter sample", integrator.candidates()));
     if (roulette) list.emplace_back("roulette");
   }
   if (sampler != Sampler::independent) list.push_back("sampler " + std::string(name_of(sampler)));

@@ -128,7 +128,8 @@ class Hash {
     add(filter);
   }
   void add(const Integrator& integrator) {
-    const auto& [type, max_depth, heuristic, selection, position, energy] = integrator;
+    const auto& [type, max_depth, heuristic, selection, environment, candidates, position, energy] =
+        integrator;
     add(position);
     add(energy);
   }

@@ -32,8 +32,10 @@ struct Integrator {
   int max_depth = -1;  ///< surface interactions, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
   EmitterSelection emitter_selection = EmitterSelection::contribution;
-  vec3 position{0};  ///< of the light of `simple`
-  Color energy{1};   ///< of that light, W
+  EnvironmentSampling environment_sampling = EnvironmentSampling::compensated;
+  int emitter_candidates = 1;  ///< as asked for; candidates() are those that there are
+  vec3 position{0};            ///< of the light of `simple`
+  Color energy{1};             ///< of that light, W
 
   template <typename Self, typename Visitor>
   static void declare(Self& p, Visitor& visit) {
@@ -49,6 +51,12 @@ struct Integrator {
     visit("emitterSelection", p.emitter_selection, Choice{emitter_selection_words},
           "of an emitter sample: by what an emitter and its triangle can contribute to the shaded "
           "point, by the emitter's power, or each as often");
+    visit("environmentSampling", p.environment_sampling, Choice{environment_sampling_words},
+          "of directions towards an environment, where BSDFs are sampled as well: by what of its "
+          "radiance exceeds the mean (MIS compensation, Karlik et al. 2019), or by its radiance");
+    visit("emitterCandidates", p.emitter_candidates, Count{1, shared::LARGEST_CANDIDATES},
+          "emitter samples of which one is taken and its shadow ray traced, by what it would "
+          "contribute unshadowed (resampling, Talbot et al. 2005)");
   }
 
   /// Most surface interactions under both limits, -1: unlimited.
@@ -60,6 +68,16 @@ struct Integrator {
   [[nodiscard]] bool wants_light_tree() const {
     return emitter_selection == EmitterSelection::contribution && type.emitter_sampling &&
            !type.every_emitter;
+  }
+  /// Emitter samples of which one is taken: where one of the emitters is sampled.
+  [[nodiscard]] int candidates() const {
+    return type.emitter_sampling && !type.every_emitter ? emitter_candidates : 1;
+  }
+  /// Whether an environment is sampled where it is brighter than its mean alone: where the samples
+  /// of BSDFs find the rest.
+  [[nodiscard]] bool compensates_environment() const {
+    return environment_sampling == EnvironmentSampling::compensated && type.emitter_sampling &&
+           type.material_sampling;
   }
   /// Whether light is estimated at all, so that a scene without emitters is black.
   [[nodiscard]] bool needs_emitters() const {

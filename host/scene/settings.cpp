@@ -44,6 +44,14 @@ Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
   }
   if (request.heuristic) integrator.heuristic = *request.heuristic;
   if (request.emitter_selection) integrator.emitter_selection = *request.emitter_selection;
+  if (request.environment_sampling) integrator.environment_sampling = *request.environment_sampling;
+  if (request.emitter_candidates) {
+    constexpr auto most = static_cast<int>(shared::LARGEST_CANDIDATES);
+    if (*request.emitter_candidates < 1 || *request.emitter_candidates > most)
+      throw InputError(fmt::format("{} candidates of an emitter sample: 1 to {} expected",
+                                   *request.emitter_candidates, most));
+    integrator.emitter_candidates = *request.emitter_candidates;
+  }
   return integrator;
 }
 
@@ -162,6 +170,8 @@ RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
   r.max_depth = settings.integrator.interaction_limit();
   r.heuristic = settings.integrator.heuristic;
   r.emitter_selection = settings.integrator.emitter_selection;
+  r.environment_sampling = settings.integrator.environment_sampling;
+  r.emitter_candidates = settings.integrator.emitter_candidates;
   r.masking = settings.masking;
   r.filter = describe(scene.camera.filter);
   r.fingerprint = fingerprint(scene);

@@ -9,8 +9,9 @@ namespace facet::tradeoff {
 
 namespace {
 
-/// Maximum depths worth a look.
+/// Maximum depths, and numbers of candidates of an emitter sample, worth a look.
 constexpr std::array depths{2, 3, 5, 8};
+constexpr std::array candidate_counts{1, 4};
 
 template <typename Condition>
 bool some_rough_bsdf(const Scene& scene, const Condition& condition) {
@@ -70,6 +71,8 @@ class ChoiceList {
     }
     add_sampling();
     add_emitter_selection();
+    add_environment_sampling();
+    add_emitter_candidates();
     const IntegratorType& type = now_.integrator.type;
     if (type.emitter_sampling && type.material_sampling) {
       add_words("heuristic", heuristic_words, now_.integrator.heuristic,
@@ -148,6 +151,25 @@ class ChoiceList {
     }
   }
 
+  void add_environment_sampling() {
+    const IntegratorType& type = now_.integrator.type;
+    if (!type.emitter_sampling || !type.material_sampling || scene_.environment() == none) return;
+    add_words("environment-sampling", environment_sampling_words,
+              now_.integrator.environment_sampling,
+              [](Plan& p, EnvironmentSampling value) { p.request.environment_sampling = value; });
+  }
+
+  void add_emitter_candidates() {
+    const IntegratorType& type = now_.integrator.type;
+    const bool has_one_point = emitting_pieces(scene_) == 1 && scene_.environment() == none &&
+                               std::holds_alternative<PointLight>(scene_.emitters.front());
+    if (!type.emitter_sampling || type.every_emitter || has_one_point) return;
+    for (const int count : candidate_counts) {
+      if (count != now_.integrator.emitter_candidates)
+        add("emitter-candidates", [count](Plan& p) { p.request.emitter_candidates = count; });
+    }
+  }
+
   const Scene& scene_;
   const Plan& plan_;
   RenderSettings now_;
@@ -173,6 +195,10 @@ void clear_meaningless(const Scene& scene, Plan& plan, const Plan& base) {
   if (!has_choice(scene, plan, "heuristic")) plan.request.heuristic = base.request.heuristic;
   if (!has_choice(scene, plan, "emitter-selection"))
     plan.request.emitter_selection = base.request.emitter_selection;
+  if (!has_choice(scene, plan, "environment-sampling"))
+    plan.request.environment_sampling = base.request.environment_sampling;
+  if (!has_choice(scene, plan, "emitter-candidates"))
+    plan.request.emitter_candidates = base.request.emitter_candidates;
   if (!has_choice(scene, plan, "sampling")) plan.request.sampling = base.request.sampling;
 }
 

@@ -150,10 +150,10 @@ bool is_biased(const Film& film, const Reference& reference, double significance
   if (reference.noise.empty()) return false;
   const Image image = develop(film, true);
   // Small cells show what is local, large ones what is faint.
-  constexpr std::array cells{1, 4, largest_cell};
-  const double each = statistics::sidak_significance(significance, cells.size());
-  return std::ranges::any_of(cells, [&](int cell) {
-    const ZTestResult result = z_test(image, reference.image, each, cell);
+  constexpr std::array least{1, largest_cell};
+  const double each = statistics::sidak_significance(significance, least.size());
+  return std::ranges::any_of(least, [&](int cell) {
+    const ZTestResult result = z_test(image, reference.image, each, {cell, 1000});
     // What cannot be tested is not held against it.
     return result.largest_z > result.critical_z;
   });

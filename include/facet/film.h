@@ -65,6 +65,8 @@ struct RenderRecord {
   int max_depth = -1;  ///< surface interactions of a path, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
   EmitterSelection emitter_selection = EmitterSelection::contribution;
+  EnvironmentSampling environment_sampling = EnvironmentSampling::compensated;
+  int emitter_candidates = 1;      ///< emitter samples of which one is taken
   std::optional<Masking> masking;  ///< where the caller replaced the scene's
   std::string filter;              ///< reconstruction filter and its parameters
   std::uint64_t fingerprint =

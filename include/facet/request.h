@@ -38,6 +38,12 @@ enum class Heuristic { balance, power };
 /// what they can contribute to the shaded point, through a light tree.
 enum class EmitterSelection { uniform, power, contribution };
 
+/// How directions towards an environment are sampled: by its radiance; or, where BSDFs are sampled
+/// as well, by what of its radiance exceeds the mean, since the BSDFs' samples find the rest (I.
+/// Karlík, M. Šik, P. Vévoda, T. Skřivan, J. Křivánek, "MIS Compensation: Optimizing Sampling
+/// Techniques in Multiple Importance Sampling", ACM TOG 38(6), 2019).
+enum class EnvironmentSampling { radiance, compensated };
+
 /// Smith's masking function of Beckmann's distribution: its exact form, or the rational
 /// approximation of B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
 /// EGSR 2007.
@@ -88,6 +94,9 @@ struct RenderRequest {
   std::optional<Heuristic> heuristic = {};
   std::optional<Masking> masking = {};  ///< of every rough BSDF
   std::optional<EmitterSelection> emitter_selection = {};
+  std::optional<EnvironmentSampling> environment_sampling = {};
+  /// Emitter samples of which one is taken, by what it would contribute unshadowed; 1 to 16.
+  std::optional<int> emitter_candidates = {};
   LobeSampling sampling = LobeSampling::visible;
   /// Ends as soon as the image's relative error, the root of its relMSE, is at most this with a
   /// confidence of 95 %. No sample range.

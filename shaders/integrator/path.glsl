@@ -15,6 +15,7 @@
    docs/sampling.md. */
 #include "path_step.glsl"
 #include "../lib/bsdf.glsl"
+#include "../lib/color.glsl"
 #include "../lib/emitter.glsl"
 
 /// With every emitter sampled, as in Nori.
@@ -49,21 +50,30 @@ float mis_weight(float used, float other) {
   return used > 0.0 ? a / (a + b) : 0.0;
 }
 
+/// What f times the radiance of an emitter sample is weighted by.
+float light_weight(EmitterSample e, float cosine, float bsdf_pdf) {
+  bool by_both = MATERIAL_SAMPLING && !e.delta;
+  float weight = by_both ? mis_weight(float(CANDIDATES) * e.pdf, bsdf_pdf) : 1.0;
+  return weight * (cosine / e.pdf);
+}
+
 /// Emission at the end of a path's ray, weighted; bounce 0 is the camera's ray.
 vec3 weighted_emission(FoundEmission found, float bsdf_pdf_used, uint bounce) {
   float weight = 1.0;
-  if (EMITTER_SAMPLING) weight = MATERIAL_SAMPLING ? mis_weight(bsdf_pdf_used, found.pdf) : 0.0;
+  if (EMITTER_SAMPLING)
+    weight = MATERIAL_SAMPLING ? mis_weight(bsdf_pdf_used, float(CANDIDATES) * found.pdf) : 0.0;
   bool only_way =
       bounce == 0u || ((BSDF_FLAGS_SOME & BSDF_DELTA) != 0u && bsdf_pdf_used == DELTA_PDF);
   return only_way ? found.radiance : weight * found.radiance;
 }
 
 /// Shadow ray for one emitter sample at s, of whose direction the BSDF has the value f and the
-/// density; has_shadow is false where it could contribute nothing.
+/// density; gain: what it stands for beside itself; has_shadow is false where it could contribute
+/// nothing.
 void add_direct_light(inout PathStep step, Surface s, EmitterSample e, float cosine, vec3 f,
-                      float bsdf_pdf) {
-  float weight = MATERIAL_SAMPLING && !e.delta ? mis_weight(e.pdf, bsdf_pdf) : 1.0;
-  vec3 contribution = step.path.throughput.rgb * f * e.radiance * (weight * (cosine / e.pdf));
+                      float bsdf_pdf, float gain) {
+  vec3 contribution =
+      step.path.throughput.rgb * f * e.radiance * (gain * light_weight(e, cosine, bsdf_pdf));
   vec3 from = offset_ray_origin(s.position, s.magnitude, s.ng, e.d);
   vec4 direction = e.at_infinity ? vec4(e.d, LARGEST) : vec4(e.point - from, 1.0);
   step.shadow = RayRecord(vec4(from, 0.0), direction);
@@ -100,10 +110,51 @@ void continue_path(inout PathStep step, Surface s, Receiver at, Frame shading, B
   step.alive = step.alive && survives && !dark;
 }
 
-/// The emitter sample of interaction k: of one emitter, or of the pass' where every one is sampled.
-EmitterSample emitter_sample(Surface s, Receiver at, SampleId id, uint k) {
-  if (!EVERY_EMITTER)
-    return sample_emitters(s, at, random_block(id, bounce_block(k) + BOUNCE_EMITTER));
+/// The words of an emitter sample, and what its contribution is multiplied by.
+struct Candidate {
+  uvec4 bits;
+  float gain;
+};
+
+/// The words of candidate i, made of the first one's.
+uvec4 candidate_bits(uvec4 bits, uint i) {
+  uvec2 words = candidate_words(uvec2(bits[EMITTER_U], bits[EMITTER_V]), i, CANDIDATES);
+  bits[EMITTER_U] = words.x;
+  bits[EMITTER_V] = words.y;
+  return bits;
+}
+
+/// One of the candidates of interaction k, by the luminance of what it would contribute if nothing
+/// stood in its way (J. Talbot, D. Cline, P. Egbert, "Importance Resampling for Global
+/// Illumination", EGSR 2005).
+Candidate choose_candidate(BsdfRecord bsdf, Frame shading, vec3 wo, Surface s, Receiver at,
+                           SampleId id, uint k) {
+  uvec4 bits = random_block(id, bounce_block(k) + BOUNCE_EMITTER);
+  if (CANDIDATES == 1u) return Candidate(bits, 1.0);
+  float weights[LARGEST_CANDIDATES];
+  float sum = 0.0;
+  for (uint i = 0u; i < CANDIDATES; ++i) {
+    EmitterSample e = sample_emitters(s, at, candidate_bits(bits, i));
+    vec3 wi = to_local(shading, e.d);
+    float pdf = MATERIAL_SAMPLING ? bsdf_pdf(bsdf, wo, wi) : 0.0;
+    float light = luminance(bsdf_eval(bsdf, wo, wi) * e.radiance);
+    float weight = e.pdf > 0.0 ? light * light_weight(e, abs(wi.z), pdf) : 0.0;
+    weights[i] = weight;
+    sum += weight;
+  }
+  float x = unit_float(random_block(id, BLOCK_CANDIDATES + k - 1u).x) * sum;
+  uint chosen = 0u;
+  float before = 0.0;
+  for (uint i = 0u; i + 1u < CANDIDATES; ++i) {
+    before += weights[i];
+    chosen += x >= before ? 1u : 0u;
+  }
+  float gain = sum / (float(CANDIDATES) * weights[chosen]);
+  return Candidate(candidate_bits(bits, chosen), sum > 0.0 ? gain : 1.0);
+}
+
+/// The emitter sample of interaction k where every emitter is sampled: of the pass'.
+EmitterSample sample_of_pass(Surface s, SampleId id, uint k) {
   uint block = BLOCK_EVERY_EMITTER + (k - 1u) * frame.emitter_count + pass_constants.emitter;
   return sample_emitter(fetch_emitter(pass_constants.emitter), s, random_block(id, block));
 }
@@ -134,14 +185,21 @@ PathStep shade_path(PathRecord path, RayRecord ray, HitRecord hit, SampleId id, 
   Receiver at = Receiver(s.position, HAS_FLAG(bsdf.flags, BSDF_TRANSMITS) ? vec3(0.0) : s.ns);
   EmitterSample e;
   vec3 wi = wo;
+  float gain = 1.0;
   if (EMITTER_SAMPLING) {
-    e = emitter_sample(s, at, id, k);
+    if (EVERY_EMITTER) {
+      e = sample_of_pass(s, id, k);
+    } else {
+      Candidate chosen = choose_candidate(bsdf, shading, wo, s, at, id, k);
+      gain = chosen.gain;
+      e = sample_emitters(s, at, chosen.bits);
+    }
     wi = to_local(shading, e.d);
   }
   uvec4 bits = random_block(id, bounce_block(k) + BOUNCE_BSDF);
   BsdfAnswers answers = bsdf_answers(bsdf, wo, wi, bsdf_numbers(bits));
   if (EMITTER_SAMPLING) {
-    add_direct_light(step, s, e, abs(wi.z), answers.f, answers.pdf);
+    add_direct_light(step, s, e, abs(wi.z), answers.f, answers.pdf, gain);
     step.has_shadow = step.has_shadow && scatters;
   }
   if (ONLY_BOUNCE) return step;

@@ -48,6 +48,8 @@ layout(constant_id = SPEC_NEGATIVE_FILTER) const bool NEGATIVE_FILTER = true;
 /// alone is looked for.
 layout(constant_id = SPEC_CAMERA_BOUNCE) const bool CAMERA_BOUNCE = true;
 layout(constant_id = SPEC_LAST_BOUNCE) const bool LAST_BOUNCE = false;
+/// Emitter samples of which one is taken, by what it would contribute unshadowed.
+layout(constant_id = SPEC_CANDIDATES) const uint CANDIDATES = 1;
 /// No bounce follows the first.
 layout(constant_id = SPEC_ONLY_BOUNCE) const bool ONLY_BOUNCE = false;
 /// The pixels of a pass are those of a list.

@@ -2,6 +2,7 @@
 // host/scene/texture/texture.h.
 #ifndef FACET_TEXTURE_GLSL
 #define FACET_TEXTURE_GLSL
+#include "color.glsl"
 #include "records.glsl"
 #include "specialization.glsl"
 
@@ -67,7 +68,7 @@ BsdfRecord textured_bsdf(BsdfRecord b, vec2 uv) {
   b.a.rgb = texture_value(b.texture_a, b.a.rgb, uv);
   b.b.rgb = texture_value(b.texture_b, b.b.rgb, uv);
   vec3 roughness = texture_value(b.texture_alpha, vec3(0.0), uv);
-  float alpha = 0.2126 * roughness.r + 0.7152 * roughness.g + 0.0722 * roughness.b;
+  float alpha = luminance(roughness.rgb);
   b.a.w = b.texture_alpha == NONE ? b.a.w : min(max(alpha, 1.0e-4), 1.0);
   return b;
 }

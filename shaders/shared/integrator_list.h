@@ -12,6 +12,9 @@ FACET_SHARED_BEGIN
 /// First interaction at which the path kernel plays Russian roulette (docs/sampling.md).
 FACET_CONSTANT uint ROULETTE_FIRST = 4u;
 
+/// Most candidates of an emitter sample.
+FACET_CONSTANT uint LARGEST_CANDIDATES = 16u;
+
 FACET_SHARED_END
 
 #define FACET_INTEGRATOR_LIST(X)    \

@@ -68,5 +68,11 @@ FACET_FUNCTION uvec4 sobol_block(uint pixel, uint index, uint block, uint seed) 
   return uvec4(first, second);
 }
 
+/// Words of candidate i of `count`, made of the first one's: i/count and the reversed bits of i
+/// further, around the square. So all are spread over it.
+FACET_FUNCTION uvec2 candidate_words(uvec2 first, uint i, uint count) {
+  return first + uvec2(i * (0xffffffffu / count), reversed_bits(i));
+}
+
 FACET_SHARED_END
 #endif

@@ -21,6 +21,8 @@ const std::map<std::string, std::string>& options() {
                                                        {"--max-depth", "3"},
                                                        {"--heuristic", "power"},
                                                        {"--emitter-selection", "uniform"},
+                                                       {"--environment-sampling", "radiance"},
+                                                       {"--emitter-candidates", "3"},
                                                        {"--masking", "exact"},
                                                        {"--sampling", "ndf"},
                                                        {"--sample-range", "3:9"},

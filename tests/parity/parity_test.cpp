@@ -101,6 +101,14 @@ TEST(Parity, holds_for_every_choice_of_the_estimator) {
       expect_parity(scene, settings);
     }
   }
+  for (const int candidates : {2, 3, 16}) {
+    RenderSettings settings = whole_image(scene, 4);
+    settings.integrator.emitter_candidates = candidates;
+    expect_parity(scene, settings);
+  }
+  RenderSettings by_radiance = whole_image(scene, 4);
+  by_radiance.integrator.environment_sampling = EnvironmentSampling::radiance;
+  expect_parity(scene, by_radiance);
   for (const int depth : {0, 1, 2, 7}) {
     scene.integrator.max_depth = depth;
     expect_parity(scene, whole_image(scene, 4));

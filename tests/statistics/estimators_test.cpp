@@ -141,6 +141,50 @@ TEST(EstimatorChoices, area_emitter_and_environment_together) {
   const Image ems = estimate(scene, "direct_ems", 1, 2048);
   expect_agreement(ems, estimate(scene, "direct_mats", 2, 2048), "ems, mats");
   expect_agreement(ems, estimate(scene, "direct_mis", 3, 2048), "ems, mis");
+  scene.integrator.environment_sampling = EnvironmentSampling::radiance;
+  expect_agreement(ems, estimate(scene, "direct_mis", 4, 2048), "ems, mis by radiance");
+}
+
+TEST(EstimatorChoices, one_of_several_candidates_keeps_the_expectation) {
+  for (const char* integrator : {"path_mis", "path_ems"}) {
+    Scene scene = make_scene(integrator);
+    scene.integrator.max_depth = 3;
+    add_floor_lamp_and_sky(scene, 0.2F, 1, Color(9, 8, 7));
+    scene.emitters.emplace_back(PointLight{{-1, 1.5F, -1}, Color(0.7F)});
+    set_camera(scene, 24, 40, {-2, 2, -2}, {0, 0, 0});
+    const Image one = estimate(scene, integrator, 1, 2048);
+    for (const int count : {2, 5, 16}) {
+      scene.integrator.emitter_candidates = count;
+      expect_agreement(one, estimate(scene, integrator, 2, 2048),
+                       fmt::format("{}, {} candidates", integrator, count));
+    }
+  }
+}
+
+/// The mean over pixels of the squared difference of two estimates with different seeds.
+double noise_of(const Scene& scene, EnvironmentSampling sampling) {
+  Scene changed = scene;
+  changed.integrator.environment_sampling = sampling;
+  const Image a = estimate(changed, "direct_mis", 1, 64);
+  const Image b = estimate(changed, "direct_mis", 2, 64);
+  double sum = 0;
+  for (int i = 0; i < a.width() * a.height(); ++i)
+    sum += std::pow(static_cast<double>(a.plane(1)[i]) - static_cast<double>(b.plane(1)[i]), 2);
+  return sum;
+}
+
+TEST(EstimatorChoices, what_bsdfs_find_need_not_be_sampled_again) {
+  // Under a sky that is half bright, sampling the rest of it serves nothing but MIS.
+  Scene scene = make_scene("direct_mis");
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}), bsdf::Diffuse{});
+  EnvironmentEmitter sky{16, 8, std::vector<Color>(128, Color(0.5F))};
+  for (std::size_t i = 96; i < 128; ++i) sky.texels[i] = Color(5);
+  scene.emitters.emplace_back(sky);
+  set_camera(scene, 24, 40, {0, 3, 0.1}, {0, 0, 0});
+  // Measured: 2.75 times. Over 576 pixels the ratio of two noises has a deviation of some 8 %.
+  const double radiance = noise_of(scene, EnvironmentSampling::radiance);
+  const double compensated = noise_of(scene, EnvironmentSampling::compensated);
+  EXPECT_GT(radiance, 2 * compensated) << radiance / compensated;
 }
 
 // With a surface that is lit from both sides, and whatever can emit.

@@ -59,7 +59,8 @@ float bilinear(const EnvironmentEmitter& e, double px, double py) {
 
 TEST(EnvironmentTableTest, RowsReachFromDownToUp) {
   for (const int height : {1, 2, 5, 64}) {
-    const EnvironmentTable table = make_environment_table(make_environment(3, height, Color(1)));
+    const EnvironmentTable table =
+        make_environment_table(make_environment(3, height, Color(1)), false);
     ASSERT_EQ(table.rows.size(), static_cast<std::size_t>(height));
     EXPECT_EQ(table.rows.front().y_begin, -1);
     EXPECT_EQ(table.rows.back().y_end, 1);
@@ -77,19 +78,21 @@ TEST(EnvironmentTableTest, RowsReachFromDownToUp) {
 TEST(EnvironmentTableTest, DensityIntegratesToOne) {
   for (const auto& e : {make_environment(1, 1, Color(3)), make_noise(16, 8), make_noise(7, 13),
                         make_noise(1, 9), make_noise(9, 1)}) {
-    const EnvironmentTable table = make_environment_table(e);
-    double integral = 0;
-    for (int y = 0; y < e.height; ++y) {
-      for (int x = 0; x < e.width; ++x)
-        integral += density(table, e, x, y) * cell_angle(table, e, y);
+    for (const bool compensated : {false, true}) {
+      const EnvironmentTable table = make_environment_table(e, compensated);
+      double integral = 0;
+      for (int y = 0; y < e.height; ++y) {
+        for (int x = 0; x < e.width; ++x)
+          integral += density(table, e, x, y) * cell_angle(table, e, y);
+      }
+      EXPECT_NEAR(integral, 1, 1e-5) << e.width << "x" << e.height;
     }
-    EXPECT_NEAR(integral, 1, 1e-5) << e.width << "x" << e.height;
   }
 }
 
 TEST(EnvironmentTableTest, AConstantEnvironmentIsUniform) {
   const EnvironmentEmitter e = make_environment(6, 4, Color(2, 3, 4));
-  const EnvironmentTable table = make_environment_table(e);
+  const EnvironmentTable table = make_environment_table(e, false);
   EXPECT_NEAR(table.mean_luminance, luminance(Color(2, 3, 4)), 1e-6);
   for (int y = 0; y < e.height; ++y) {
     for (int x = 0; x < e.width; ++x)
@@ -97,9 +100,50 @@ TEST(EnvironmentTableTest, AConstantEnvironmentIsUniform) {
   }
 }
 
+TEST(EnvironmentTableTest, ACompensatedDensityIsOfWhatExceedsTheMean) {
+  const EnvironmentEmitter e = make_noise(8, 6);
+  const EnvironmentTable table = make_environment_table(e, true);
+  EXPECT_EQ(table.mean_luminance, make_environment_table(e, false).mean_luminance);
+  // The mean over the sphere, by midpoints in height and azimuth.
+  double mean = 0;
+  constexpr int steps = 512;
+  for (int j = 0; j < steps; ++j) {
+    const double height = (j + 0.5) / steps * 2 - 1;
+    // Rows are equal in angle: their coordinate is that from below, 0 to 6.
+    const double row = std::acos(-height) / std::numbers::pi * e.height;
+    const auto cell_row = std::floor(row);
+    // Within a cell the density does not follow the interpolation, so neither does its mean.
+    for (int x = 0; x < e.width; ++x)
+      mean += static_cast<double>(bilinear(e, x + 0.5, cell_row + 0.5)) / e.width / steps;
+  }
+  EXPECT_NEAR(table.mean_luminance, mean, 0.01 * mean);
+  double scale = 0;
+  for (int y = 0; y < e.height; ++y) {
+    for (int x = 0; x < e.width; ++x) {
+      const double excess =
+          static_cast<double>(bilinear(e, x + 0.5, y + 0.5)) - table.mean_luminance;
+      if (excess <= 0) {
+        EXPECT_EQ(density(table, e, x, y), 0) << x << " " << y;
+        continue;
+      }
+      if (scale == 0) scale = density(table, e, x, y) / excess;
+      EXPECT_NEAR(density(table, e, x, y), scale * excess, 1e-5 * scale * excess);
+    }
+  }
+  EXPECT_GT(scale, 0);
+}
+
+TEST(EnvironmentTableTest, WithoutAnythingAboveTheMeanNothingIsCompensated) {
+  for (const Color& color : {Color(0), Color(0.1F, 0.2F, 0.7F), Color(1e-20F), Color(3e7F)}) {
+    const EnvironmentEmitter e = make_environment(7, 5, color);
+    const EnvironmentTable plain = make_environment_table(e, false);
+    EXPECT_EQ(make_environment_table(e, true).texels, plain.texels);
+  }
+}
+
 TEST(EnvironmentTableTest, DensityIsTheProbabilityOfTheChoices) {
   const EnvironmentEmitter e = make_noise(8, 5);
-  const EnvironmentTable table = make_environment_table(e);
+  const EnvironmentTable table = make_environment_table(e, false);
   std::vector<std::uint32_t> rows;
   for (const auto& row : table.rows) rows.push_back(row.cumulative);
   for (int y = 0; y < e.height; ++y) {
@@ -116,7 +160,7 @@ TEST(EnvironmentTableTest, DensityIsPositiveWhereverTheMapIs) {
   for (const int bright : {0, 7, 17, 31}) {
     EnvironmentEmitter e = make_environment(8, 4);
     e.texels[static_cast<std::size_t>(bright)] = Color(1);
-    const EnvironmentTable table = make_environment_table(e);
+    const EnvironmentTable table = make_environment_table(e, false);
     for (int j = 0; j < 8 * e.height; ++j) {
       for (int i = 0; i < 8 * e.width; ++i) {
         if (bilinear(e, (i + 0.5) / 8, (j + 0.5) / 8) > 0) {
@@ -132,7 +176,7 @@ TEST(EnvironmentTableTest, DensityIsPositiveWhereverTheMapIs) {
 TEST(EnvironmentTableTest, BrighterTexelsAreChosenMore) {
   EnvironmentEmitter e = make_environment(8, 4, Color(1));
   e.texels[2 * 8 + 3] = Color(100);
-  const EnvironmentTable table = make_environment_table(e);
+  const EnvironmentTable table = make_environment_table(e, false);
   EXPECT_GT(density(table, e, 3, 2), 10 * density(table, e, 0, 2));
   EXPECT_GT(density(table, e, 2, 1), 10 * density(table, e, 0, 1))
       << "interpolation spreads the light";
@@ -142,12 +186,12 @@ TEST(EnvironmentTableTest, BrighterTexelsAreChosenMore) {
 TEST(EnvironmentTableTest, MeanLuminanceWeighsBySolidAngle) {
   EnvironmentEmitter e = make_environment(4, 2);
   for (std::size_t i = 4; i < 8; ++i) e.texels[i] = Color(1);
-  EXPECT_NEAR(make_environment_table(e).mean_luminance, 0.75, 1e-6)
+  EXPECT_NEAR(make_environment_table(e, false).mean_luminance, 0.75, 1e-6)
       << "the upper half is 1, the lower rises from 0 to 1";
 }
 
 TEST(EnvironmentTableTest, ABlackMapHasNoDensity) {
-  const EnvironmentTable table = make_environment_table(make_environment(4, 2));
+  const EnvironmentTable table = make_environment_table(make_environment(4, 2), false);
   EXPECT_EQ(table.mean_luminance, 0);
   for (const glm::vec4& texel : table.texels) EXPECT_EQ(texel, glm::vec4(0));
 }

@@ -22,6 +22,8 @@ RenderRecord full_record() {
   r.max_depth = 7;
   r.heuristic = Heuristic::power;
   r.emitter_selection = EmitterSelection::uniform;
+  r.environment_sampling = EnvironmentSampling::radiance;
+  r.emitter_candidates = 3;
   r.masking = Masking::exact;
   r.filter = "tent";
   r.fingerprint = 0x0123456789abcdefU;
@@ -92,7 +94,9 @@ TEST(Record, makes_the_command_that_renders_again) {
   EXPECT_EQ(rerun_command(full, {40, 30}, 5, 6),
             "facet render --pixel=5,6 --resolution=40x30 --backend=reference --precision=double "
             "--integrator=path_mis --max-depth=7 --heuristic=power --emitter-selection=uniform "
-            "--sampler=sobol --sampling=ndf --masking=exact --sample-range=3:9 --seed=4000000000 "
+            "--environment-sampling=radiance --emitter-candidates=3 --sampler=sobol --sampling=ndf "
+            "--masking=exact "
+            "--sample-range=3:9 --seed=4000000000 "
             "-- '/a folder/the scene.xml'");
   RenderRecord kernels = full;
   kernels.backend = "vulkan";

@@ -48,13 +48,15 @@ TEST(TradeoffChoices, AreWhatTheSceneHasAUseFor) {
              "emitter-selection uniform", "heuristic power", "sampling ndf", "sobol"}));
   // Of one lamp only the triangle can be chosen, and every emitter is sampled anyway.
   EXPECT_EQ(names_around(floor_under(1, "direct_mis"), {}),
-            (Names{"adaptive", "direct_ems", "direct_mats", "emitter-selection power",
-                   "heuristic power", "sampling ndf", "sobol"}));
+            (Names{"adaptive", "direct_ems", "direct_mats", "emitter-candidates 4",
+                   "emitter-selection power", "heuristic power", "sampling ndf", "sobol"}));
   // Sampling emitters alone, direct light needs no lobe; nothing is weighted.
   EXPECT_EQ(names_around(floor_under(1, "direct_ems"), {}),
-            (Names{"adaptive", "direct_mats", "direct_mis", "emitter-selection power", "sobol"}));
+            (Names{"adaptive", "direct_mats", "direct_mis", "emitter-candidates 4",
+                   "emitter-selection power", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "path_ems", bsdf::Diffuse{}), {}),
-            (Names{"adaptive", "emitter-selection power", "path", "path_mats", "sobol"}));
+            (Names{"adaptive", "emitter-candidates 4", "emitter-selection power", "path",
+                   "path_mats", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "ao"), {}), (Names{"adaptive", "sobol"}));
 }
 

@@ -12,7 +12,8 @@ namespace facet::reference {
 template <typename Real>
 class Environment {
  public:
-  explicit Environment(const EnvironmentEmitter& map);
+  /// compensated: what exceeds the mean is sampled alone.
+  Environment(const EnvironmentEmitter& map, bool compensated);
 
   /// Weight of power selection for a scene of that bounding box, W of white light.
   [[nodiscard]] double power(const Box& bounds) const {

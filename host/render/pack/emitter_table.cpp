@@ -34,6 +34,7 @@ class Maker {
         const PlacesOfMesh& places_of)
       : scene_(scene),
         selection_(settings.integrator.emitter_selection),
+        compensated_(settings.integrator.compensates_environment()),
         wants_tree_(settings.integrator.wants_light_tree()),
         radius_(radius),
         places_of_(places_of) {}
@@ -65,7 +66,8 @@ class Maker {
     } else if (const auto* point = std::get_if<PointLight>(&scene_.emitters[e])) {
       power = add_point(*point, e, record);
     } else {
-      table_.environment = make_environment_table(std::get<EnvironmentEmitter>(scene_.emitters[e]));
+      table_.environment =
+          make_environment_table(std::get<EnvironmentEmitter>(scene_.emitters[e]), compensated_);
       sky_luminance_ = table_.environment.mean_luminance;
       power = 4 * pi * pi * radius_ * radius_ * sky_luminance_;
     }
@@ -203,6 +205,7 @@ class Maker {
 
   const Scene& scene_;
   EmitterSelection selection_;
+  bool compensated_;
   bool wants_tree_;
   double radius_;
   const PlacesOfMesh& places_of_;

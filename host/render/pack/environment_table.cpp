@@ -28,24 +28,47 @@ std::vector<double> cell_luminances(const EnvironmentEmitter& e) {
   return cells;
 }
 
+/// y of the border below a row of directions: up is the last row.
+double border_of(std::size_t row, std::size_t rows) {
+  return -std::cos(std::numbers::pi * static_cast<double>(row) / static_cast<double>(rows));
+}
+
+/// Mean of the cells over the sphere.
+double mean_of_cells(const std::vector<double>& cells, std::size_t w, std::size_t h) {
+  double mean = 0;
+  for (std::size_t y = 0; y < h; ++y) {
+    double sum = 0;
+    for (std::size_t x = 0; x < w; ++x) sum += cells[y * w + x];
+    mean += sum * (border_of(y + 1, h) - border_of(y, h)) / (2.0 * static_cast<double>(w));
+  }
+  return mean;
+}
+
+/// Leaves of each cell what exceeds the mean, unless that is nothing anywhere.
+void compensate(std::vector<double>& cells, double mean) {
+  std::vector<double> rest;
+  rest.reserve(cells.size());
+  for (const double cell : cells) rest.push_back(std::max(0.0, cell - mean));
+  // The mean of equal cells can be a last bit off.
+  const auto exceeds = [mean](double v) { return v > 1e-6 * mean; };
+  if (std::any_of(rest.begin(), rest.end(), exceeds)) cells = std::move(rest);
+}
+
 }  // namespace
 
-EnvironmentTable make_environment_table(const EnvironmentEmitter& e) {
+EnvironmentTable make_environment_table(const EnvironmentEmitter& e, bool compensated) {
   const auto w = static_cast<std::size_t>(e.width);
   const auto h = static_cast<std::size_t>(e.height);
-  const std::vector<double> cells = cell_luminances(e);
+  std::vector<double> cells = cell_luminances(e);
   EnvironmentTable table;
+  table.mean_luminance = mean_of_cells(cells, w, h);
+  if (compensated) compensate(cells, table.mean_luminance);
   std::vector<double> row_weights(h);
-  // Row r covers the directions whose y lies in [-cos(pi r/H), -cos(pi (r+1)/H)]: up is the last
-  // row.
-  const auto border = [&](std::size_t r) {
-    return -std::cos(std::numbers::pi * static_cast<double>(r) / static_cast<double>(h));
-  };
+  const auto border = [&](std::size_t r) { return border_of(r, h); };
   for (std::size_t y = 0; y < h; ++y) {
     double sum = 0;
     for (std::size_t x = 0; x < w; ++x) sum += cells[y * w + x];
     row_weights[y] = sum * (border(y + 1) - border(y));
-    table.mean_luminance += row_weights[y] / (2.0 * static_cast<double>(w));
   }
   const std::vector<std::uint32_t> row_counts = cumulative_counts(row_weights);
   table.texels.reserve(w * h);

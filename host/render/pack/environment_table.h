@@ -14,6 +14,8 @@ struct EnvironmentTable {
   double mean_luminance = 0;           ///< over the sphere
 };
 
-[[nodiscard]] EnvironmentTable make_environment_table(const EnvironmentEmitter& environment);
+/// compensated: for samples that share the work with those of BSDFs.
+[[nodiscard]] EnvironmentTable make_environment_table(const EnvironmentEmitter& environment,
+                                                      bool compensated);
 
 }  // namespace facet
