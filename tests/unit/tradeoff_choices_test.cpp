@@ -42,10 +42,10 @@ Names names_around(const Scene& scene, const Plan& plan, bool with_biased = fals
 }
 
 TEST(TradeoffChoices, AreWhatTheSceneHasAUseFor) {
-  EXPECT_EQ(
-      names_around(floor_under(2, "direct_mis"), {}),
-      (Names{"adaptive", "direct_ems", "direct_mats", "direct_whitted", "emitter-selection power",
-             "emitter-selection uniform", "heuristic power", "sampling ndf", "sobol"}));
+  EXPECT_EQ(names_around(floor_under(2, "direct_mis"), {}),
+            (Names{"adaptive", "direct_ems", "direct_mats", "direct_whitted",
+                   "emitter-candidates 4", "emitter-selection power", "emitter-selection uniform",
+                   "heuristic power", "sampling ndf", "sobol"}));
   // Of one lamp only the triangle can be chosen, and every emitter is sampled anyway.
   EXPECT_EQ(names_around(floor_under(1, "direct_mis"), {}),
             (Names{"adaptive", "direct_ems", "direct_mats", "emitter-candidates 4",
