@@ -18,23 +18,22 @@ ESTIMATORS = [("direct_ems", "emitter sampling", "#6a3fb5", ""),
               ("direct_mats", "material sampling", "#b4470f", "7 3"),
               ("direct_mis", "both, MIS", "#1c6b3a", "2 3")]
 SAMPLES = 256
-SEEDS = 8
-REFERENCE = 16384
+SEEDS = 4
+REFERENCE = 8192
 
 PLATE = "v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\nf 1 2 3 4\n"
-LAMP = "v -0.1 1 -0.9\nv 0.1 1 -0.9\nv 0.1 1 -0.7\nv -0.1 1 -0.7\nf 1 2 3 4\n"
+LAMP = "v -0.3 0.6 -1.2\nv 0.3 0.6 -1.2\nv 0.3 1.1 -1.2\nv -0.3 1.1 -1.2\nf 1 2 3 4\n"
 SCENE = """<scene>
 <integrator type="direct_mis"/>
 <sampler type="independent"><integer name="sampleCount" value="1"/></sampler>
 <camera type="perspective"><integer name="width" value="48"/><integer name="height" value="48"/>
-<float name="fov" value="28"/><rfilter type="box"/>
-<transform name="toWorld"><lookat origin="0 1 2.2" target="0 0.1 0" up="0 1 0"/></transform>
+<float name="fov" value="22"/><rfilter type="box"/>
+<transform name="toWorld"><lookat origin="0 1 2.2" target="0 -0.15 0.3" up="0 1 0"/></transform>
 </camera>
 <mesh type="obj"><string name="filename" value="plate.obj"/>
-<bsdf type="roughsubstrate"><color name="kd" value="0.1 0.1 0.1"/>
-<float name="alpha" value="{alpha}"/></bsdf></mesh>
+<bsdf type="roughconductor"><float name="alpha" value="{alpha}"/></bsdf></mesh>
 <mesh type="obj"><string name="filename" value="lamp.obj"/>
-<emitter type="area"><color name="radiance" value="20 20 20"/></emitter></mesh>
+<emitter type="area"><color name="radiance" value="4 4 4"/></emitter></mesh>
 </scene>
 """
 
