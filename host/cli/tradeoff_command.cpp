@@ -120,7 +120,7 @@ void add_tradeoff_command(CommandLine& line) {
   command.number("--budget", o.tradeoff.budget, 1.0, 1e9, "Seconds for all of it, about");
   command.text("--reference", o.tradeoff.reference,
                "Image to measure errors against, of the same size; otherwise one is rendered, in "
-               "two fifths of the budget");
+               "a third of the budget");
   command.text(
       "--recommend", o.recommend,
       "Say how to reach this relative error soonest, 1% or 0.01; with --quiet, the command "

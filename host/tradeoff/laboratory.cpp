@@ -13,7 +13,9 @@ namespace facet::tradeoff {
 namespace {
 
 /// Renders of a point that images are made small enough for.
-constexpr std::uint32_t planned_seeds = 6;
+constexpr std::uint32_t planned_seeds = 5;
+/// How much longer than the default settings take on average, at most.
+constexpr double planned_slowness = 1.3;
 /// Samples of the reference for each of the largest number that is measured, likewise.
 constexpr double planned_reference = 64;
 /// Those it has at least, whatever the budget.
@@ -130,8 +132,10 @@ ImageSize Laboratory::affordable_size() {
   constexpr double pixels_of_trial = 1 << 14;
   constexpr std::uint32_t samples_of_trial = least_adaptive_samples;
   size_ = shrunk(pixels_of_trial);
-  // The first one warms up.
-  (void)render(base_, samples_of_trial, 0);
+  // The first one warms up, and tells what each setting takes beside rendering, the first time.
+  const double before = seconds_since(start_);
+  const double first_render = render(base_, samples_of_trial, 0).record.seconds;
+  const double compiling = seconds_since(start_) - before - first_render;
   const Film film = render(base_, samples_of_trial, 0);
   const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
   const double rate = samples / film.record.seconds;
@@ -140,10 +144,11 @@ ImageSize Laboratory::affordable_size() {
     const std::vector<std::uint32_t> counts = ladder(candidate.plan);
     samples_of_round += std::accumulate(counts.begin(), counts.end(), 0.0);
   }
-  const double left = options_.budget - seconds_since(start_);
+  const double left =
+      options_.budget - seconds_since(start_) - compiling * static_cast<double>(first_.size());
   const double for_reference = reference_until * left * rate / (planned_reference * ladder_.back());
-  const double for_settings =
-      (alone_until - reference_until) * left * rate / (planned_seeds * samples_of_round);
+  const double for_settings = (alone_until - reference_until) * left * rate /
+                              (planned_seeds * planned_slowness * samples_of_round);
   return shrunk(std::max<double>(least_pixels, std::min(for_reference, for_settings)));
 }
 

@@ -11,8 +11,8 @@ namespace facet::tradeoff {
 struct Interrupted {};
 
 // Until which share of the budget what is done.
-inline constexpr double reference_until = 0.4;
-inline constexpr double alone_until = 0.7;
+inline constexpr double reference_until = 0.3;
+inline constexpr double alone_until = 0.65;
 inline constexpr double climbing_until = 0.92;
 
 class Laboratory {

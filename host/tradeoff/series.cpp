@@ -88,7 +88,7 @@ Point point_of(const Series& series, const Series& of_default, double reference_
 
 void expect(const std::vector<Point*>& points) {
   /// Variance, from setting to setting, of the logarithm of what trimming takes away.
-  constexpr double variance_of_tails = 0.25;
+  constexpr double variance_of_tails = 0.05;
   std::vector<double> tails;
   std::vector<double> variances;
   const auto tells = [](const Point& p) { return p.relmse > 0 && p.relmse_trimmed > 0; };
@@ -101,10 +101,11 @@ void expect(const std::vector<Point*>& points) {
     p->expected = p->relmse;
     if (tells(*p)) {
       // Few renders can agree by chance.
-      const double own_variance = (p->log_variance + median_of(variances)) / 2;
+      const double own_variance = std::max(p->log_variance, median_of(variances));
       const double own = std::log(p->relmse);
       const double others = std::log(p->relmse_trimmed) + median_of(tails);
-      const double weight = 1 / (1 + own_variance / variance_of_tails);
+      const bool is_far = own - others > 3 * std::sqrt(own_variance + variance_of_tails);
+      const double weight = is_far ? 1 : 1 / (1 + own_variance / variance_of_tails);
       p->expected =
           std::exp(std::isfinite(own_variance) ? others + weight * (own - others) : others);
     }
