@@ -60,11 +60,12 @@ Laboratory::Laboratory(Backend& kernels, const ScenePtr& scene, const Options& o
   if (!options.reference.empty()) take_reference();
   tell("trying");
   const bool is_free = !options.base.size && !options.base.crop && options.reference.empty();
-  if (is_free) size_ = affordable_size();
-  // What the driver keeps from render to render is not counted.
+  if (is_free) size_ = shrunk(least_pixels);
+  // Later ones need not compile any more.
   const auto start = std::chrono::steady_clock::now();
-  (void)render(base_, ladder_.front(), 0);
-  startup_seconds_ = seconds_since(start);
+  const double rendering = render(base_, ladder_.front(), 0).record.seconds;
+  startup_seconds_ = seconds_since(start) - rendering;
+  if (is_free) size_ = affordable_size();
   if (options.reference.empty()) find_reference();
 }
 
@@ -132,10 +133,8 @@ ImageSize Laboratory::affordable_size() {
   constexpr double pixels_of_trial = 1 << 14;
   constexpr std::uint32_t samples_of_trial = least_adaptive_samples;
   size_ = shrunk(pixels_of_trial);
-  // The first one warms up, and tells what each setting takes beside rendering, the first time.
-  const double before = seconds_since(start_);
-  const double first_render = render(base_, samples_of_trial, 0).record.seconds;
-  const double compiling = seconds_since(start_) - before - first_render;
+  // The first one warms up.
+  (void)render(base_, samples_of_trial, 0);
   const Film film = render(base_, samples_of_trial, 0);
   const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
   const double rate = samples / film.record.seconds;
@@ -144,8 +143,8 @@ ImageSize Laboratory::affordable_size() {
     const std::vector<std::uint32_t> counts = ladder(candidate.plan);
     samples_of_round += std::accumulate(counts.begin(), counts.end(), 0.0);
   }
-  const double left =
-      options_.budget - seconds_since(start_) - compiling * static_cast<double>(first_.size());
+  const double left = options_.budget - seconds_since(start_) -
+                      startup_seconds_ * static_cast<double>(first_.size());
   const double for_reference = reference_until * left * rate / (planned_reference * ladder_.back());
   const double for_settings = (alone_until - reference_until) * left * rate /
                               (planned_seeds * planned_slowness * samples_of_round);

@@ -32,6 +32,7 @@ class Laboratory {
   [[nodiscard]] std::vector<std::uint32_t> ladder(const Plan& plan) const;
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] Reference& reference() { return reference_; }
+  /// Of a render before its first sample, with kernels still to be compiled.
   [[nodiscard]] double startup_seconds() const { return startup_seconds_; }
   /// Rays that were stopped by the safety bound of traversal: images are wrong there.
   [[nodiscard]] std::uint64_t bound_hits() const { return bound_hits_; }

@@ -64,25 +64,27 @@ void add(Series& series, const Film& film, double default_seconds, const Referen
 }
 
 Point point_of(const Series& series, const Series& of_default, double reference_relmse) {
+  // What is left of an error that the reference's own has been taken from can be less than nothing.
+  const double least = std::max(0.01 * reference_relmse, 1e-30);
   Point p;
   p.samples = series.samples;
   p.seconds = summarise(series.seconds).median;
   const std::vector<double> errors = errors_of(series, &RelativeError::relmse);
   const std::vector<double> plain = errors_of(of_default, &RelativeError::relmse);
-  p.relmse = mean_of(errors);
-  p.relmse_trimmed = mean_of(errors_of(series, &RelativeError::trimmed));
+  p.at_reference = mean_of(errors) <= reference_relmse;
+  p.relmse = std::max(mean_of(errors), least);
+  p.relmse_trimmed = std::max(mean_of(errors_of(series, &RelativeError::trimmed)), least);
   p.interval = interval_around(p.relmse, errors);
   p.log_variance = log_variance(errors);
   const double faster = summarise(series.default_seconds).median / p.seconds;
-  p.efficiency_ratio = faster * mean_of(plain) / p.relmse;
-  p.trimmed_ratio =
-      faster * mean_of(errors_of(of_default, &RelativeError::trimmed)) / p.relmse_trimmed;
+  p.efficiency_ratio = faster * std::max(mean_of(plain), least) / p.relmse;
+  const std::vector<double> plain_trimmed = errors_of(of_default, &RelativeError::trimmed);
+  p.trimmed_ratio = faster * std::max(mean_of(plain_trimmed), least) / p.relmse_trimmed;
   // The same seeds: what makes the one's image bad may have made the other's.
   std::vector<double> ratios;
   for (std::size_t k = 0; k < std::min(errors.size(), plain.size()); ++k)
     ratios.push_back(plain[k] / errors[k]);
   p.ratio_interval = interval_around(p.efficiency_ratio, ratios);
-  p.at_reference = p.relmse <= reference_relmse;
   return p;
 }
 

@@ -30,7 +30,7 @@ struct Interval {
 struct Point {
   std::uint32_t samples = 0;    ///< a pixel
   double seconds = 0;           ///< of rendering; the median of its renders
-  double relmse = 0;            ///< the mean of its renders
+  double relmse = 0;            ///< the mean of its renders, above 0 in any case
   double relmse_trimmed = 0;    ///< likewise, without the 0.1 % largest terms
   Interval interval;            ///< of relmse
   double log_variance = 0;      ///< of the mean of its renders' logarithms of relmse

@@ -1,6 +1,7 @@
 // The page of facet tradeoff.
 const percent = (relative) => `${short(100 * relative, 3)} %`;
 const errorOf = (relmse) => percent(Math.sqrt(Math.max(relmse, 0)));
+const errorText = (p) => p.at_reference ? 'too small to measure' : errorOf(p.relmse);
 const between = ([low, high]) =>
     low > 0 && high !== null ? `${short(low, 2)} to ${short(high, 2)}` : 'unknown';
 const biasText = (p) => !p.biased ? 'none seen' :
@@ -48,12 +49,12 @@ const plot = () => {
       (p) => [p.seconds, Math.sqrt(p.relmse), ` s, ${p.spp} samples a pixel: ${p.command}`];
   const lineOf = (setting, name) => ({
     name,
-    points: setting.points.filter((p) => p.relmse > 0).map(pointOf),
+    points: setting.points.filter((p) => !p.at_reference).map(pointOf),
   });
   const best = settings.find((s) => s.name === data.best.name);
   const plain = settings.find((s) => s.name === 'default');
   const front =
-      data.points.filter((p) => p.front && p.relmse > 0).sort((p, q) => p.seconds - q.seconds);
+      data.points.filter((p) => p.front && !p.at_reference).sort((p, q) => p.seconds - q.seconds);
   const lines = settings.map(
       (s) => ({...lineOf(s, s.points[0].biased ? `${s.name}, biased` : s.name), quiet: true}));
   lines.push({
@@ -81,7 +82,7 @@ const tables = () => {
           settings.map((s) => {
             const p = s.points.at(-1);
             return [
-              s.name, cell(p.spp), cell(short(p.seconds, 3)), cell(errorOf(p.relmse)),
+              s.name, cell(p.spp), cell(short(p.seconds, 3)), cell(errorText(p)),
               cell(errorOf(p.relmse_trimmed)), cell(short(p.efficiency_ratio_expected, 3)),
               cell(`${short(p.efficiency_ratio, 3)} (${between(p.efficiency_ratio_interval95)})`),
               cell(short(p.efficiency_ratio_trimmed, 3)),
@@ -95,7 +96,7 @@ const tables = () => {
           settings.flatMap(
               (s) => s.points.map(
                   (p) =>
-                      [s.name, cell(p.spp), cell(short(p.seconds, 3)), cell(errorOf(p.relmse)),
+                      [s.name, cell(p.spp), cell(short(p.seconds, 3)), cell(errorText(p)),
                        {text: element('code', {}, p.command), number: false}]))));
 };
 
