@@ -163,6 +163,7 @@ class Sampling {
 
   /// Renders the pilot and throws it away; returns whether to go on.
   bool run_pilot() {
+    if (pace_.is_limited() && !(pace_.seconds_left() > 0)) return true;
     const std::uint32_t seed = goal_.seed ^ pilot_seed;
     std::uint32_t samples = goal_.open_ended() ? open_ended_pilot : pilot_samples(most_);
     std::uint32_t begin = 0;

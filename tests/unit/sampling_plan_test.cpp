@@ -220,6 +220,7 @@ TEST(SamplingPlan, renders_one_sample_though_there_is_no_time) {
     EXPECT_EQ(outcome.stopped_by, StoppedBy::time);
     EXPECT_EQ(outcome.samples.end, 1U);
     EXPECT_FALSE(outcome.adaptive) << "there was no time for a pilot";
+    EXPECT_EQ(source.seeds.size(), 1U) << "nor for a look at how long one would take";
     expect_samples(source.given[{SampleSource::Sums::image, side * side - 1}], 0, 1);
   }
 }
