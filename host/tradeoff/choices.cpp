@@ -35,11 +35,18 @@ std::size_t emitting_pieces(const Scene& scene) {
   return count;
 }
 
+/// How an integrator estimates direct light.
+auto means_of(const IntegratorType& t) {
+  return std::tuple(t.emitter_sampling, t.every_emitter, t.material_sampling);
+}
+
+/// Whether two names are of one integrator.
+bool is_same(const IntegratorType& a, const IntegratorType& b) {
+  return a.kernel == b.kernel && a.interactions == b.interactions && means_of(a) == means_of(b);
+}
+
 /// Whether two integrators estimate the same, by different means.
 bool are_alternatives(const IntegratorType& a, const IntegratorType& b) {
-  const auto means = [](const IntegratorType& t) {
-    return std::tuple(t.emitter_sampling, t.every_emitter, t.material_sampling);
-  };
   const auto estimates_light = [](const IntegratorType& t) {
     return t.emitter_sampling || t.material_sampling;
   };
@@ -48,7 +55,7 @@ bool are_alternatives(const IntegratorType& a, const IntegratorType& b) {
     return !t.every_emitter || t.interactions == 1;
   };
   return estimates_light(a) && estimates_light(b) && goes_on(a) && goes_on(b) &&
-         a.interactions == b.interactions && means(a) != means(b);
+         a.interactions == b.interactions && means_of(a) != means_of(b);
 }
 
 /// One thing decided otherwise.
@@ -154,6 +161,9 @@ class ChoiceList {
   void add_environment_sampling() {
     const IntegratorType& type = now_.integrator.type;
     if (!type.emitter_sampling || !type.material_sampling || scene_.environment() == none) return;
+    // What is the same everywhere has nothing above its mean.
+    const auto& sky = std::get<EnvironmentEmitter>(scene_.emitters[scene_.environment()]);
+    if (sky.texels.size() == 1) return;
     add_words("environment-sampling", environment_sampling_words,
               now_.integrator.environment_sampling,
               [](Plan& p, EnvironmentSampling value) { p.request.environment_sampling = value; });
@@ -176,12 +186,13 @@ class ChoiceList {
   std::vector<Choice> list_;
 };
 
-/// What a plan comes to, without samples, which every render has other ones of.
+/// What a plan comes to, without samples and seed, which every render has others of.
 RenderRecord record_for(const Scene& scene, const Plan& plan) {
   RenderRecord record = record_of(scene, settings_of(scene, plan));
   record.backend = plan.reference ? "reference" : "vulkan";
   record.precision = plan.reference.value_or(Precision::float_);
   record.samples = {};
+  record.seed = 0;
   return record;
 }
 
@@ -190,8 +201,12 @@ bool has_choice(const Scene& scene, const Plan& plan, const std::string& kind) {
                              [&](const Choice& choice) { return choice.kind == kind; });
 }
 
-/// What a plan has no use for becomes as in the base.
+/// What a plan has no use for becomes as in the base, and of two names of an integrator it has the
+/// base's.
 void clear_meaningless(const Scene& scene, Plan& plan, const Plan& base) {
+  const IntegratorType type = settings_of(scene, plan).integrator.type;
+  const IntegratorType base_type = settings_of(scene, base).integrator.type;
+  if (is_same(type, base_type)) plan.request.integrator = base.request.integrator;
   if (!has_choice(scene, plan, "heuristic")) plan.request.heuristic = base.request.heuristic;
   if (!has_choice(scene, plan, "emitter-selection"))
     plan.request.emitter_selection = base.request.emitter_selection;

@@ -136,6 +136,36 @@ TEST(TradeoffChoices, OptionsSayWhatTheSceneDoesNot) {
   EXPECT_EQ(options_of(open, asked), (Names{"--integrator", "path_mis"}));
 }
 
+TEST(TradeoffChoices, AnIntegratorHasOneName) {
+  const Scene scene = floor_under(1, "path_mis");
+  Plan emitters;
+  emitters.request.integrator = "path_ems";
+  Names names;
+  for (const Candidate& c : candidates_around(scene, emitters, {}, false)) {
+    if (c.kind == "integrator") names.push_back(name_of(scene, c.plan, {}));
+  }
+  EXPECT_EQ(names, (Names{"default", "path_mats"})) << "path is path_mis, which the scene says";
+}
+
+TEST(TradeoffChoices, ASeedIsNoChoice) {
+  const Scene scene = floor_under(1, "path");
+  Plan plan;
+  plan.request.seed = 7;
+  EXPECT_EQ(options_of(scene, plan), Names{});
+}
+
+TEST(TradeoffChoices, OnlyAMapHasSomethingAboveItsMean) {
+  Scene scene = floor_under(1, "direct_mis");
+  scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(1)}});
+  const auto has = [&] {
+    const Names names = names_around(scene, {});
+    return std::ranges::find(names, "environment-sampling radiance") != names.end();
+  };
+  EXPECT_FALSE(has());
+  scene.emitters.back() = EnvironmentEmitter{2, 1, {Color(1), Color(3)}};
+  EXPECT_TRUE(has());
+}
+
 TEST(TradeoffChoices, ReferencesUseBothEstimatorsAndNoBias) {
   const Scene scene = floor_under(1, "direct_mats");
   Plan plan;
