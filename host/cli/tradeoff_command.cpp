@@ -117,10 +117,14 @@ void add_tradeoff_command(CommandLine& line) {
   command.describe("--spp", fmt::format("The most samples a pixel; a quarter and a sixteenth of "
                                         "them are measured, too. {} unless given",
                                         default_samples));
+  command.describe(
+      "--resolution",
+      "Size of the images, WxH; otherwise the scene's own, or less where the budget is "
+      "too small for it");
   command.number("--budget", o.tradeoff.budget, 1.0, 1e9, "Seconds for all of it, about");
   command.text("--reference", o.tradeoff.reference,
                "Image to measure errors against, of the same size; otherwise one is rendered, in "
-               "a third of the budget");
+               "three tenths of the budget");
   command.text(
       "--recommend", o.recommend,
       "Say how to reach this relative error soonest, 1% or 0.01; with --quiet, the command "

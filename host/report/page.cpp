@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/pages/page_text.h"
+
 namespace facet::report {
 
 namespace {
@@ -35,10 +37,11 @@ std::string embeddable(const nlohmann::ordered_json& data) {
 
 }  // namespace
 
-std::string make_page(std::string_view html, std::initializer_list<std::string_view> styles,
+std::string make_page(std::string_view body, std::initializer_list<std::string_view> styles,
                       std::initializer_list<std::string_view> scripts,
                       const nlohmann::ordered_json& data) {
-  std::string page(html);
+  std::string page(page_text::frame_html);
+  fill(page, "body", std::string(body));
   // The data last: nothing is looked for in it.
   fill(page, "style", joined(styles));
   fill(page, "script", "(() => {\n\"use strict\";\n" + joined(scripts) + "})();\n");

@@ -8,9 +8,9 @@
 
 namespace facet::report {
 
-/// `html` (report/pages) with its style sheets, its scripts, which share one scope, and its data.
-/// Bytes of the data's strings that are not UTF-8 become U+FFFD.
-[[nodiscard]] std::string make_page(std::string_view html,
+/// A page whose body (report/pages) is `body`, with its style sheets, its scripts, which share one
+/// scope, and its data. Bytes of the data's strings that are not UTF-8 become U+FFFD.
+[[nodiscard]] std::string make_page(std::string_view body,
                                     std::initializer_list<std::string_view> styles,
                                     std::initializer_list<std::string_view> scripts,
                                     const nlohmann::ordered_json& data);

@@ -157,10 +157,9 @@ std::vector<Bsdf> bsdfs_of(const Scene& scene, const RenderSettings& settings) {
   return bsdfs;
 }
 
-RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
+RenderRecord record_of(const RenderSettings& settings) {
   RenderRecord r;
   r.version = FACET_VERSION;
-  r.scene = scene.file.string();
   r.integrator = settings.integrator.type.name;
   r.sampler = name_of(settings.sampler);
   r.sampling = settings.sampling;
@@ -173,6 +172,12 @@ RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
   r.environment_sampling = settings.integrator.environment_sampling;
   r.emitter_candidates = settings.integrator.emitter_candidates;
   r.masking = settings.masking;
+  return r;
+}
+
+RenderRecord record_of(const Scene& scene, const RenderSettings& settings) {
+  RenderRecord r = record_of(settings);
+  r.scene = scene.file.string();
   r.filter = describe(scene.camera.filter);
   r.fingerprint = fingerprint(scene);
   return r;

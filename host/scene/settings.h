@@ -57,6 +57,9 @@ struct RenderSettings {
 /// The scene's BSDFs with the settings' masking function.
 [[nodiscard]] std::vector<Bsdf> bsdfs_of(const Scene& scene, const RenderSettings& settings);
 
+/// What the settings alone say of a render.
+[[nodiscard]] RenderRecord record_of(const RenderSettings& settings);
+
 /// What can be said of a render before it has begun: all of the record but who renders, and the
 /// time.
 [[nodiscard]] RenderRecord record_of(const Scene& scene, const RenderSettings& settings);

@@ -18,19 +18,10 @@ double slope_between(const Point& a, const Point& b) {
   return std::log(b.expected / a.expected) / std::log(static_cast<double>(b.samples) / a.samples);
 }
 
-std::vector<Point> usable(const std::vector<Point>& points) {
-  std::vector<Point> list;
-  for (const Point& p : points) {
-    if (p.expected > 0) list.push_back(p);
-  }
-  return list;
-}
-
 /// How the setting would do, the image's error beside the bias being at most the root of `relmse`.
-std::optional<Advice> advice_for(const Tradeoff& tradeoff, std::size_t index, double relmse) {
+Advice advice_for(const Tradeoff& tradeoff, std::size_t index, double relmse) {
   const Setting& setting = tradeoff.settings[index];
-  const std::vector<Point> points = usable(setting.points);
-  if (points.empty() || !(relmse > 0)) return std::nullopt;
+  const std::vector<Point>& points = setting.points;
   const double least = setting.plan.request.adaptive ? least_adaptive_samples : 1;
   Advice advice;
   advice.setting = index;
@@ -52,8 +43,8 @@ std::optional<Advice> soonest(const Tradeoff& tradeoff, double error, const Acce
     const Setting& setting = tradeoff.settings[i];
     // Kernels on the device are what is chosen for; the reference is there to check them.
     if (!accept(setting) || setting.plan.reference) continue;
-    const auto advice = advice_for(tradeoff, i, error * error);
-    if (advice && (!best || advice->seconds < best->seconds)) best = advice;
+    const Advice advice = advice_for(tradeoff, i, error * error);
+    if (!best || advice.seconds < best->seconds) best = advice;
   }
   return best;
 }

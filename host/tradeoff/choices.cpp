@@ -1,6 +1,7 @@
 #include "tradeoff/choices.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/words.h"
 #include "image/record.h"
@@ -188,7 +189,7 @@ class ChoiceList {
 
 /// What a plan comes to, without samples and seed, which every render has others of.
 RenderRecord record_for(const Scene& scene, const Plan& plan) {
-  RenderRecord record = record_of(scene, settings_of(scene, plan));
+  RenderRecord record = record_of(settings_of(scene, plan));
   record.backend = plan.reference ? "reference" : "vulkan";
   record.precision = plan.reference.value_or(Precision::float_);
   record.samples = {};
@@ -196,9 +197,11 @@ RenderRecord record_for(const Scene& scene, const Plan& plan) {
   return record;
 }
 
-bool has_choice(const Scene& scene, const Plan& plan, const std::string& kind) {
-  return std::ranges::any_of(ChoiceList(scene, plan).unbiased(),
-                             [&](const Choice& choice) { return choice.kind == kind; });
+/// Kinds of the unbiased choices that a plan leaves.
+std::set<std::string> kinds_of(const Scene& scene, const Plan& plan) {
+  std::set<std::string> kinds;
+  for (const Choice& choice : ChoiceList(scene, plan).unbiased()) kinds.insert(choice.kind);
+  return kinds;
 }
 
 /// What a plan has no use for becomes as in the base, and of two names of an integrator it has the
@@ -207,14 +210,15 @@ void clear_meaningless(const Scene& scene, Plan& plan, const Plan& base) {
   const IntegratorType type = settings_of(scene, plan).integrator.type;
   const IntegratorType base_type = settings_of(scene, base).integrator.type;
   if (is_same(type, base_type)) plan.request.integrator = base.request.integrator;
-  if (!has_choice(scene, plan, "heuristic")) plan.request.heuristic = base.request.heuristic;
-  if (!has_choice(scene, plan, "emitter-selection"))
-    plan.request.emitter_selection = base.request.emitter_selection;
-  if (!has_choice(scene, plan, "environment-sampling"))
-    plan.request.environment_sampling = base.request.environment_sampling;
-  if (!has_choice(scene, plan, "emitter-candidates"))
-    plan.request.emitter_candidates = base.request.emitter_candidates;
-  if (!has_choice(scene, plan, "sampling")) plan.request.sampling = base.request.sampling;
+  const std::set<std::string> kinds = kinds_of(scene, plan);
+  const auto reset = [&](const char* kind, auto RenderRequest::*choice) {
+    if (!kinds.contains(kind)) plan.request.*choice = base.request.*choice;
+  };
+  reset("heuristic", &RenderRequest::heuristic);
+  reset("emitter-selection", &RenderRequest::emitter_selection);
+  reset("environment-sampling", &RenderRequest::environment_sampling);
+  reset("emitter-candidates", &RenderRequest::emitter_candidates);
+  reset("sampling", &RenderRequest::sampling);
 }
 
 }  // namespace
@@ -248,7 +252,7 @@ Plan combine(const Scene& scene, const Plan& base, std::vector<Candidate> candid
                                 [](const Candidate& c) { return c.kind == "integrator"; });
   Plan plan = base;
   for (const Candidate& candidate : candidates) {
-    if (has_choice(scene, plan, candidate.kind)) candidate.make(plan);
+    if (kinds_of(scene, plan).contains(candidate.kind)) candidate.make(plan);
     clear_meaningless(scene, plan, base);
   }
   return plan;

@@ -31,6 +31,8 @@ class Laboratory {
   /// Those of them that a plan is rendered with, at least one.
   [[nodiscard]] std::vector<std::uint32_t> ladder(const Plan& plan) const;
   [[nodiscard]] ImageSize size() const { return size_; }
+  /// That which the scene, or whoever asked, wants rendered.
+  [[nodiscard]] ImageSize own_size() const { return own_size_; }
   [[nodiscard]] Reference& reference() { return reference_; }
   /// Of a render before its first sample, with kernels still to be compiled.
   [[nodiscard]] double startup_seconds() const { return startup_seconds_; }

@@ -93,24 +93,18 @@ void expect(const std::vector<Point*>& points) {
   constexpr double variance_of_tails = 0.05;
   std::vector<double> tails;
   std::vector<double> variances;
-  const auto tells = [](const Point& p) { return p.relmse > 0 && p.relmse_trimmed > 0; };
   for (const Point* p : points) {
-    if (!tells(*p)) continue;
     tails.push_back(std::log(p->relmse / p->relmse_trimmed));
     variances.push_back(p->log_variance);
   }
   for (Point* p : points) {
-    p->expected = p->relmse;
-    if (tells(*p)) {
-      // Few renders can agree by chance.
-      const double own_variance = std::max(p->log_variance, median_of(variances));
-      const double own = std::log(p->relmse);
-      const double others = std::log(p->relmse_trimmed) + median_of(tails);
-      const bool is_far = own - others > 3 * std::sqrt(own_variance + variance_of_tails);
-      const double weight = is_far ? 1 : 1 / (1 + own_variance / variance_of_tails);
-      p->expected =
-          std::exp(std::isfinite(own_variance) ? others + weight * (own - others) : others);
-    }
+    // Few renders can agree by chance.
+    const double own_variance = std::max(p->log_variance, median_of(variances));
+    const double own = std::log(p->relmse);
+    const double others = std::log(p->relmse_trimmed) + median_of(tails);
+    const bool is_far = own - others > 3 * std::sqrt(own_variance + variance_of_tails);
+    const double weight = is_far ? 1 : 1 / (1 + own_variance / variance_of_tails);
+    p->expected = std::exp(others + weight * (own - others));
     const double by_relmse = p->efficiency_ratio * p->relmse;
     const Point& plain = *points.front();
     p->expected_ratio = by_relmse / plain.relmse * plain.expected / p->expected;
@@ -120,8 +114,7 @@ void expect(const std::vector<Point*>& points) {
 std::optional<double> slope_of(const std::vector<Point>& points) {
   std::vector<std::pair<double, double>> logarithms;
   for (const Point& p : points) {
-    if (p.relmse > 0 && !p.at_reference)
-      logarithms.emplace_back(std::log(p.samples), std::log(p.relmse));
+    if (!p.at_reference) logarithms.emplace_back(std::log(p.samples), std::log(p.relmse));
   }
   if (logarithms.size() < 2) return std::nullopt;
   const auto n = static_cast<double>(logarithms.size());

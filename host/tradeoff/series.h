@@ -26,12 +26,11 @@ void add(Series& series, const Film& film, double default_seconds, const Referen
 ///
 /// A few rare bright pixels can make half of relmse, and a few renders do not tell how many of them
 /// a setting has: whether one of them shows up decides more than the setting. Trimmed errors are
-/// known far better. So the ratio of the two is taken to
-/// scatter around its median over all settings by a factor of 1.25 (over 42 renders of seven
-/// settings of Veach's scene the logarithm's deviation was 0.12), and a setting's own ratio counts
-/// as much as its renders agree on it: the mean of both logarithms, weighted by the inverse of
-/// their variances. But where it lies far above, as that of emitter sampling on smooth plates does,
-/// it is believed.
+/// known far better. So the ratio of the two is taken to scatter around its median over all
+/// settings by a factor of 1.25 (over 42 renders of seven settings of Veach's scene the logarithm's
+/// deviation was 0.12), and a setting's own ratio counts as much as its renders agree on it: the
+/// mean of both logarithms, weighted by the inverse of their variances. But where it lies far
+/// above, as that of emitter sampling on smooth plates does, it is believed.
 void expect(const std::vector<Point*>& points);
 
 /// Slope of the line through the logarithms of relmse and samples; nothing of a single point.

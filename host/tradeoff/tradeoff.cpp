@@ -177,7 +177,7 @@ class Study {
     for (std::size_t i = 0; i < trials_.size(); ++i) {
       const Setting& setting = trials_[i].setting;
       const Point& p = setting.last();
-      if (!setting.biased && p.samples == laboratory_.ladder().back() && p.relmse > 0 &&
+      if (!setting.biased && p.samples == laboratory_.ladder().back() &&
           p.expected_ratio > trials_[best].setting.last().expected_ratio)
         best = i;
     }
@@ -251,9 +251,8 @@ class Study {
   }
 
   Tradeoff conclude() {
-    const RenderSettings settings = settings_of(*scene_, laboratory_.base());
     result_.scene = scene_->file.string();
-    result_.own_size = settings.size;
+    result_.own_size = laboratory_.own_size();
     result_.size = laboratory_.size();
     result_.seeds = seeds_;
     result_.startup_seconds = laboratory_.startup_seconds();

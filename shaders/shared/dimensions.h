@@ -21,9 +21,8 @@ FACET_CONSTANT uint BLOCKS_PER_BOUNCE = 2u;
 /// interaction k.
 FACET_CONSTANT uint BLOCK_EVERY_EMITTER = 0x80000000u;
 
-/// Which candidate of interaction k's emitter sample is taken: component 0 of block
-/// BLOCK_CANDIDATES
-/// + k - 1.
+/// Component 0 of block BLOCK_CANDIDATES + k - 1 chooses the candidate of interaction k's emitter
+/// sample.
 FACET_CONSTANT uint BLOCK_CANDIDATES = 0xc0000000u;
 
 /// First block of a bounce: the emitter sample. The fills stand behind what choices leave of u and

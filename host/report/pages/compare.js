@@ -83,8 +83,7 @@ const maps = data.maps.map((m) => ({...m, codes: bytesOf(m.codes)}));
 
 const drawImages = () => {
   const factor = 2 ** Number(exposure.value);
-  byId('exposure-value').textContent =
-      (exposure.value > 0 ? '+' : '') + Number(exposure.value) + ' EV';
+  byId('exposure-value').textContent = exposureText(Number(exposure.value));
   paintLinear(byId('canvas-a'), a, factor);
   paintLinear(byId('canvas-b'), b, factor);
 };

@@ -53,6 +53,7 @@ const paint = (canvas, colour) => {
   }
   context.putImageData(image, 0, 0);
 };
+const exposureText = (stops) => `${stops > 0 ? '+' : ''}${stops} EV`;
 /// Linear values on an sRGB display, times a factor.
 const paintLinear = (canvas, values, factor) => paint(canvas, (i) => {
   const red = values[3 * i], green = values[3 * i + 1], blue = values[3 * i + 2];

@@ -138,7 +138,7 @@ const pictures = () => {
   const step = (error) => Math.round(254 * Math.min(Math.max((Math.log10(error) + 3) / 4, 0), 1));
   const draw = () => {
     const exposure = Number(byId('exposure').value), zoom = Number(byId('zoom').value);
-    byId('exposure-value').textContent = (exposure > 0 ? '+' : '') + exposure + ' EV';
+    byId('exposure-value').textContent = exposureText(exposure);
     for (const {canvas, values} of shown) {
       canvas.style.width = `${width * zoom}px`;
       canvas.parentElement.style.width = `${width * zoom}px`;
