@@ -50,7 +50,7 @@ void add_setting_options(Command& command, RenderOptions& o) {
   command.number("--spp", r.samples, 1, 1 << 30, "Samples per pixel");
   command.text("--integrator", r.integrator, "Integrator, by its name in the scene language");
   command.text("--sampler", r.sampler,
-               "Sampler, by its name in the scene language: independent or sobol");
+               "Sampler, by its name in the scene language: independent, sobol or zsobol");
   command.number("--max-depth", r.max_depth, -1, 1 << 30,
                  "Surface interactions of a path, -1: unlimited");
   command.text("--resolution", o.resolution, "Size of the image, WxH");
@@ -59,6 +59,8 @@ void add_setting_options(Command& command, RenderOptions& o) {
   command.word("--heuristic", r.heuristic, heuristic_words, "MIS weights");
   command.word("--emitter-selection", r.emitter_selection, emitter_selection_words,
                "How the emitter of a light sample is chosen");
+  command.word("--area-sampling", r.area_sampling, area_sampling_words,
+               "How a point of an area emitter is sampled");
   command.word("--environment-sampling", r.environment_sampling, environment_sampling_words,
                "How an environment is sampled where BSDFs are sampled as well");
   command.number("--emitter-candidates", r.emitter_candidates, 1,

@@ -23,6 +23,8 @@ inline constexpr std::array heuristic_words{Word{Heuristic::balance, "balance"},
 inline constexpr std::array emitter_selection_words{
     Word{EmitterSelection::contribution, "contribution"}, Word{EmitterSelection::power, "power"},
     Word{EmitterSelection::uniform, "uniform"}};
+inline constexpr std::array area_sampling_words{Word{AreaSampling::area, "area"},
+                                                Word{AreaSampling::solid_angle, "solidangle"}};
 inline constexpr std::array environment_sampling_words{
     Word{EnvironmentSampling::compensated, "compensated"},
     Word{EnvironmentSampling::radiance, "radiance"}};

@@ -93,6 +93,12 @@ constexpr std::array fields{
         [](R& r, const std::string& t) {
           return set_word(emitter_selection_words, t, r.emitter_selection);
         }},
+    RecordField{"facet.areaSampling", "area_sampling", false, "--area-sampling",
+                "sampling of area emitters", true, "area or solidangle",
+                [](const R& r) -> Text { return word_of(area_sampling_words, r.area_sampling); },
+                [](R& r, const std::string& t) {
+                  return set_word(area_sampling_words, t, r.area_sampling);
+                }},
     RecordField{"facet.environmentSampling", "environment_sampling", false,
                 "--environment-sampling", "environment sampling", true, "compensated or radiance",
                 [](const R& r) -> Text {
@@ -108,6 +114,11 @@ constexpr std::array fields{
     RecordField{"facet.sampler", "sampler", false, "--sampler", "sampler", true, any_text,
                 [](const R& r) -> Text { return r.sampler; },
                 [](R& r, const std::string& t) { return set_text(t, r.sampler); }},
+    RecordField{
+        "facet.plannedSamples", "planned_samples", true, "--spp", "planned samples per pixel", true,
+        "an integer from 1 on",
+        [](const R& r) -> Text { return r.planned ? Text(fmt::format("{}", *r.planned)) : Text(); },
+        [](R& r, const std::string& t) { return set_integer(t, 1, r.planned.emplace()); }},
     RecordField{
         "facet.sampling", "sampling", false, "--sampling", "lobe sampling", true,
         "ndf, visible or uniform",
@@ -242,7 +253,7 @@ std::vector<std::string> options_between(const RenderRecord& from, const RenderR
 
 bool share_samples(const RenderRecord& a, const RenderRecord& b) {
   return a.scene == b.scene && a.seed == b.seed && a.sampler == b.sampler &&
-         !a.samples.common(b.samples).empty();
+         a.planned == b.planned && !a.samples.common(b.samples).empty();
 }
 
 }  // namespace facet

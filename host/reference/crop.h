@@ -22,8 +22,12 @@ struct CropSample {
     const auto width = static_cast<std::size_t>(settings.crop_width());
     x = settings.crop.x0 + static_cast<int>(i % width);
     y = settings.crop.y0 + static_cast<int>(i / width);
-    id = {static_cast<std::uint32_t>(y * settings.size.width + x), sample, settings.seed,
-          settings.sampler};
+    id = {static_cast<std::uint32_t>(y * settings.size.width + x),
+          sample,
+          settings.seed,
+          settings.sampler,
+          shared::uvec2(x, y),
+          settings.order_bits()};
   }
 };
 

@@ -7,9 +7,10 @@
 namespace facet::reference {
 
 const char* decision_name(DecisionKind kind) {
-  constexpr std::array names{"edge",   "order",    "range",   "frame",    "horizon",     "emission",
-                             "offset", "lobe",     "masking", "tail",     "reflectance", "cell",
-                             "texel",  "roulette", "light",   "candidate"};
+  constexpr std::array names{
+      "edge",   "order",    "range",   "frame",       "horizon",           "emission",
+      "offset", "lobe",     "masking", "tail",        "reflectance",       "cell",
+      "texel",  "roulette", "light",   "solid angle", "solid angle share", "candidate"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -27,10 +27,12 @@ enum class DecisionKind : std::uint8_t {
   tail,         ///< is D zero: tan^2/alpha^2 - 87
   reflectance,  ///< is reflection total
   cell,  ///< in which cell of the environment's density or of a checker lies a direction or a point
-  texel,      ///< between which texels of an image: its slope changes there
-  roulette,   ///< does the path go on: u - q
-  light,      ///< how is the probability of one of two lights rounded
-  candidate,  ///< which candidate of an emitter sample is taken: its share of the sum
+  texel,              ///< between which texels of an image: its slope changes there
+  roulette,           ///< does the path go on: u - q
+  light,              ///< how is the probability of one of two lights rounded
+  solid_angle,        ///< is a piece of an emitter sampled by the solid angle it fills
+  solid_angle_share,  ///< how is the probability of one of its two triangles rounded
+  candidate,          ///< which candidate of an emitter sample is taken: its share of the sum
 };
 
 [[nodiscard]] const char* decision_name(DecisionKind kind);

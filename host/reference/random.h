@@ -14,6 +14,8 @@ struct SampleId {
   std::uint32_t index = 0;
   std::uint32_t seed = 0;
   Sampler sampler = Sampler::independent;
+  shared::uvec2 position{0};     ///< x, y of the pixel in the whole image
+  std::uint32_t order_bits = 0;  ///< zsobol: 2^order_bits samples of a pixel belong to one net
 };
 
 /// A word as a number in [0, 1 - 2^-24].
@@ -49,6 +51,8 @@ struct Block {
 [[nodiscard]] inline Block block_of(const SampleId& id, std::uint32_t block) {
   if (id.sampler == Sampler::sobol)
     return {shared::sobol_block(id.pixel, id.index, block, id.seed)};
+  if (id.sampler == Sampler::zsobol)
+    return {shared::zsobol_block(id.position, id.index, id.order_bits, block, id.seed)};
   return {shared::pcg4d({id.pixel, id.index, block, id.seed})};
 }
 

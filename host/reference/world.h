@@ -88,10 +88,12 @@ class World {
       const std::size_t source = source_of_[emitter][light.piece_of(s.index)];
       const Real p = source == no_source ? Real(0) : tree_.probability(source, from, probe);
       return {emitter, light.emission(s, d, probe),
-              light.pdf_in_piece(s, d, distance) * p * (1 - environment_share(from, probe))};
+              light.pdf_in_piece(s, from.point, d, distance, probe) * p *
+                  (1 - environment_share(from, probe))};
     }
     return {emitter, light.emission(s, d, probe),
-            light.pdf(s, d, distance) * static_cast<Real>(choice_.probability(emitter))};
+            light.pdf(s, from.point, d, distance, probe) *
+                static_cast<Real>(choice_.probability(emitter))};
   }
 
   /// What a ray from a receiver finds that leaves the scene.
@@ -152,7 +154,7 @@ class World {
     if (!(sky_ > 0)) return 0;
     const Real others = tree_.importance(at);
     if (!(others > 0)) return 1;
-    const double share = share_of_first(sky_, probe.nudged(others), 0, probe);
+    const double share = share_of_first(sky_, probe.nudged(others), DecisionKind::light, 0, probe);
     return static_cast<Real>(std::clamp(share, 0.125, 0.875));
   }
 
@@ -180,7 +182,8 @@ class World {
     EmitterSample<Real> s =
         area == nullptr
             ? std::get<PointSource<Real>>(lights_[origin.emitter]).sample(from, numbers, probe)
-            : area->sample_piece(origin.piece, numbers.u, numbers.v, from, probe);
+            : area->sample_piece(origin.piece, numbers.u, numbers.v, numbers.second_fill, from,
+                                 probe);
     s.emitter = origin.emitter;
     s.pdf *= chosen.probability * (1 - sky);
     return s;
@@ -191,7 +194,8 @@ class World {
   /// Returns its power.
   double add_emitter(const Emitter& emitter) {
     if (const auto* area = std::get_if<AreaEmitter>(&emitter)) {
-      lights_.emplace_back(std::in_place_type<AreaLight<Real>>, scene, geometry, *area);
+      lights_.emplace_back(std::in_place_type<AreaLight<Real>>, scene, geometry, *area,
+                           integrator.area_sampling);
     } else if (const auto* point = std::get_if<PointLight>(&emitter)) {
       lights_.emplace_back(std::in_place_type<PointSource<Real>>, *point);
     } else {

@@ -68,6 +68,7 @@ std::array<std::uint32_t, shared::SPEC_COUNT> Features::constants(std::uint32_t 
   c[shared::SPEC_SEVERAL_EMITTERS] = several_emitters ? 1 : 0;
   c[shared::SPEC_EMITTER_PIECES] = emitter_pieces;
   c[shared::SPEC_LIGHT_TREE] = light_tree ? 1 : 0;
+  c[shared::SPEC_SOLID_ANGLE] = integrator.area_sampling == AreaSampling::solid_angle ? 1 : 0;
   c[shared::SPEC_SHADING_NORMALS] = shading_normals ? 1 : 0;
   c[shared::SPEC_INTEGRATOR] = static_cast<std::uint32_t>(integrator.type.kernel);
   c[shared::SPEC_EMITTER_SAMPLING] = integrator.type.emitter_sampling ? 1 : 0;

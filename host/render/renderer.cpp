@@ -124,6 +124,7 @@ Renderer::Wave Renderer::make_wave(std::size_t film_piece, std::uint32_t first_p
   wave.constants.stride = permutation_stride(pixel_count / shared::WORKGROUP_SIZE);
   wave.constants.film_first = image().pieces()[film_piece].first_pixel;
   wave.constants.seed = seed_;
+  wave.constants.order_bits = settings_.order_bits();
   return wave;
 }
 
@@ -286,6 +287,7 @@ Film Renderer::film() const { return film_of(settings_.goal(), *this); }
 std::vector<shared::RayRecord> Renderer::camera_rays() {
   shared::PassConstants constants{};
   constants.seed = seed_;
+  constants.order_bits = settings_.order_bits();
   constants.pixel_count = std::min(state_.slots(), image().pixel_count());
   constants.sample_count = 1;
   constants.stride = permutation_stride(constants.pixel_count / shared::WORKGROUP_SIZE);

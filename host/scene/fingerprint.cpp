@@ -128,8 +128,8 @@ class Hash {
     add(filter);
   }
   void add(const Integrator& integrator) {
-    const auto& [type, max_depth, heuristic, selection, environment, candidates, position, energy] =
-        integrator;
+    const auto& [type, max_depth, heuristic, selection, area, environment, candidates, position,
+                 energy] = integrator;
     add(position);
     add(energy);
   }

@@ -32,6 +32,7 @@ struct Integrator {
   int max_depth = -1;  ///< surface interactions, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
   EmitterSelection emitter_selection = EmitterSelection::contribution;
+  AreaSampling area_sampling = AreaSampling::area;
   EnvironmentSampling environment_sampling = EnvironmentSampling::compensated;
   int emitter_candidates = 1;  ///< as asked for; candidates() are those that there are
   vec3 position{0};            ///< of the light of `simple`
@@ -51,6 +52,9 @@ struct Integrator {
     visit("emitterSelection", p.emitter_selection, Choice{emitter_selection_words},
           "of an emitter sample: by what an emitter and its triangle can contribute to the shaded "
           "point, by the emitter's power, or each as often");
+    visit("areaSampling", p.area_sampling, Choice{area_sampling_words},
+          "of a point of an area emitter: by area, or by the solid angle that its triangles fill "
+          "(Arvo 1995), which serves near large lights");
     visit("environmentSampling", p.environment_sampling, Choice{environment_sampling_words},
           "of directions towards an environment, where BSDFs are sampled as well: by what of its "
           "radiance exceeds the mean (MIS compensation, Karlik et al. 2019), or by its radiance");

@@ -1,5 +1,5 @@
 #pragma once
-/* independent, sobol: where the random numbers of a sample come from.
+/* independent, sobol, zsobol: where the random numbers of a sample come from.
 
    `independent`: every number is a hash of pixel, sample and dimension (M. Jarzynski, M. Olano,
    JCGT 9(3), 2020).
@@ -11,7 +11,14 @@
    The variance channels are too large with it: they take the samples of a pixel for independent.
    The estimated error (error_estimate, the channel `error`) does not: it rests on second estimates
    of some pixels, which take up to a quarter of the time for small images and a sixtieth for those
-   of 256x256 pixels and more. */
+   of 256x256 pixels and more.
+
+   `zsobol`: as sobol, and the points of neighbouring pixels complete one another, so that what is
+   left of the noise is fine grain (A. G. M. Ahmed, P. Wonka, ACM TOG 39(6), 2020). The error of
+   each pixel is the same on average, but the eye, and whatever blurs the image, sees less of it.
+   Samples are put in order for the number of samples that is asked for, --spp or the scene's
+   (rounded up to a power of two); fewer lack the order, and each further such run has one of its
+   own. */
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -44,6 +44,7 @@ Integrator integrator_of(const Scene& scene, const RenderRequest& request) {
   }
   if (request.heuristic) integrator.heuristic = *request.heuristic;
   if (request.emitter_selection) integrator.emitter_selection = *request.emitter_selection;
+  if (request.area_sampling) integrator.area_sampling = *request.area_sampling;
   if (request.environment_sampling) integrator.environment_sampling = *request.environment_sampling;
   if (request.emitter_candidates) {
     constexpr auto most = static_cast<int>(shared::LARGEST_CANDIDATES);
@@ -81,21 +82,28 @@ Crop crop_of(const ImageSize& size, const RenderRequest& request) {
   return c;
 }
 
+constexpr std::uint32_t most_samples = 1U << 30U;
+
+/// The caller's number of samples a pixel, or else `otherwise`.
+std::uint32_t sample_count_of(const RenderRequest& request, std::uint32_t otherwise) {
+  if (!request.samples) return otherwise;
+  const int count = *request.samples;
+  if (count < 1 || count > static_cast<int>(most_samples))
+    throw InputError(fmt::format("{} samples a pixel: 1 to {} expected", count, most_samples));
+  return static_cast<std::uint32_t>(count);
+}
+
 SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
-  constexpr std::uint32_t most = 1U << 30U;
   if (request.sample_range) {
     const SampleRange& range = *request.sample_range;
-    if (range.begin >= range.end || range.end > most)
+    if (range.begin >= range.end || range.end > most_samples)
       throw InputError(
           fmt::format("sample range {}:{}: empty or too large", range.begin, range.end));
     return range;
   }
   const bool open_ended = request.error || request.deadline;
-  const int count =
-      request.samples.value_or(open_ended ? static_cast<int>(most) : scene.sample_count);
-  if (count < 1 || count > static_cast<int>(most))
-    throw InputError(fmt::format("{} samples a pixel: 1 to {} expected", count, most));
-  return {0, static_cast<std::uint32_t>(count)};
+  const auto otherwise = static_cast<std::uint32_t>(scene.sample_count);
+  return {0, sample_count_of(request, open_ended ? most_samples : otherwise)};
 }
 
 void check_goals(const RenderSettings& s, const RenderRequest& request) {
@@ -124,6 +132,7 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   check_image_size(s.size.width, s.size.height);
   s.crop = crop_of(s.size, request);
   s.samples = samples_of(scene, request);
+  s.planned = sample_count_of(request, static_cast<std::uint32_t>(scene.sample_count));
   s.seed = request.seed.value_or(scene.seed);
   s.masking = request.masking;
   s.sampling = request.sampling;
@@ -162,6 +171,7 @@ RenderRecord record_of(const RenderSettings& settings) {
   r.version = FACET_VERSION;
   r.integrator = settings.integrator.type.name;
   r.sampler = name_of(settings.sampler);
+  if (settings.sampler == Sampler::zsobol) r.planned = settings.planned;
   r.sampling = settings.sampling;
   r.samples.add(settings.samples);
   r.adaptive = settings.adaptive;
@@ -169,6 +179,7 @@ RenderRecord record_of(const RenderSettings& settings) {
   r.max_depth = settings.integrator.interaction_limit();
   r.heuristic = settings.integrator.heuristic;
   r.emitter_selection = settings.integrator.emitter_selection;
+  r.area_sampling = settings.integrator.area_sampling;
   r.environment_sampling = settings.integrator.environment_sampling;
   r.emitter_candidates = settings.integrator.emitter_candidates;
   r.masking = settings.masking;

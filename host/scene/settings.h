@@ -2,6 +2,8 @@
 // What is rendered, with every choice made: the scene's word, or the caller's where there is one.
 #include <facet/film.h>
 
+#include <bit>
+
 #include "convergence/sampling_plan.h"
 #include "scene/scene.h"
 
@@ -14,6 +16,7 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   Integrator integrator;
   Sampler sampler = Sampler::independent;
+  std::uint32_t planned = 1;       ///< samples of each pixel that zsobol puts in order
   std::optional<Masking> masking;  ///< instead of that of the scene's BSDFs
   LobeSampling sampling = LobeSampling::visible;
   bool variance = false;  ///< keep sums of squares
@@ -38,6 +41,10 @@ struct RenderSettings {
   [[nodiscard]] std::uint64_t total_samples() const {
     return std::uint64_t{samples_per_pixel()} * static_cast<std::uint64_t>(crop_width()) *
            static_cast<std::uint64_t>(crop_height());
+  }
+  /// Of the power of two of samples that zsobol puts in order.
+  [[nodiscard]] std::uint32_t order_bits() const {
+    return static_cast<std::uint32_t>(std::bit_width(planned - 1));
   }
   [[nodiscard]] SamplingGoal goal() const {
     return {crop_width(), crop_height(), samples, seed, adaptive, probes, error, deadline};

@@ -36,6 +36,25 @@ std::size_t emitting_pieces(const Scene& scene) {
   return count;
 }
 
+/// Whether some triangle of an emitter is large enough to be sampled by solid angle from half the
+/// scene's size away.
+bool has_large_piece(const Scene& scene) {
+  Box bounds;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const vec3& p : mesh.positions) bounds.add(p);
+  }
+  const double reach = glm::length(dvec3(bounds.extent())) / 2;
+  return std::ranges::any_of(scene.emitters, [&](const Emitter& emitter) {
+    const auto* area = std::get_if<AreaEmitter>(&emitter);
+    if (area == nullptr) return false;
+    const Mesh& mesh = scene.meshes[area->mesh];
+    for (std::size_t i = 0; i < mesh.position_indices.size(); ++i) {
+      if (triangle_area(mesh, i) >= shared::SMALLEST_SEEN * reach * reach) return true;
+    }
+    return false;
+  });
+}
+
 /// How an integrator estimates direct light.
 auto means_of(const IntegratorType& t) {
   return std::tuple(t.emitter_sampling, t.every_emitter, t.material_sampling);
@@ -73,12 +92,14 @@ class ChoiceList {
 
   std::vector<Choice> unbiased() {
     add_integrators();
-    for (const std::string_view name : sampler_names) {
-      if (name != name_of(now_.sampler))
-        add("sampler", [name](Plan& p) { p.request.sampler = name; });
+    for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
+      // What zsobol does otherwise than sobol, no error of pixels tells.
+      if (is_independent(sampler) != is_independent(now_.sampler))
+        add("sampler", [sampler](Plan& p) { p.request.sampler = name_of(sampler); });
     }
     add_sampling();
     add_emitter_selection();
+    add_area_sampling();
     add_environment_sampling();
     add_emitter_candidates();
     const IntegratorType& type = now_.integrator.type;
@@ -159,6 +180,12 @@ class ChoiceList {
     }
   }
 
+  void add_area_sampling() {
+    if (!now_.integrator.type.emitter_sampling || !has_large_piece(scene_)) return;
+    add_words("area-sampling", area_sampling_words, now_.integrator.area_sampling,
+              [](Plan& p, AreaSampling value) { p.request.area_sampling = value; });
+  }
+
   void add_environment_sampling() {
     const IntegratorType& type = now_.integrator.type;
     if (!type.emitter_sampling || !type.material_sampling || scene_.environment() == none) return;
@@ -193,6 +220,7 @@ RenderRecord record_for(const Scene& scene, const Plan& plan) {
   record.backend = plan.reference ? "reference" : "vulkan";
   record.precision = plan.reference.value_or(Precision::float_);
   record.samples = {};
+  record.planned.reset();
   record.seed = 0;
   return record;
 }
@@ -216,6 +244,7 @@ void clear_meaningless(const Scene& scene, Plan& plan, const Plan& base) {
   };
   reset("heuristic", &RenderRequest::heuristic);
   reset("emitter-selection", &RenderRequest::emitter_selection);
+  reset("area-sampling", &RenderRequest::area_sampling);
   reset("environment-sampling", &RenderRequest::environment_sampling);
   reset("emitter-candidates", &RenderRequest::emitter_candidates);
   reset("sampling", &RenderRequest::sampling);

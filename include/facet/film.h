@@ -54,10 +54,11 @@ enum class StoppedBy { samples, error, time, interrupt };
 /// report, the command that renders a pixel again, and the checks of merging follow from it
 /// (host/image/record.h).
 struct RenderRecord {
-  std::string version;     ///< of facet
-  std::string scene;       ///< the scene's file
-  std::string integrator;  ///< by its name in the scene language
-  std::string sampler;     ///< likewise
+  std::string version;                   ///< of facet
+  std::string scene;                     ///< the scene's file
+  std::string integrator;                ///< by its name in the scene language
+  std::string sampler;                   ///< likewise
+  std::optional<std::uint32_t> planned;  ///< samples of each pixel by which zsobol orders them
   LobeSampling sampling = LobeSampling::visible;
   SampleRanges samples;   ///< of each pixel
   bool adaptive = false;  ///< `samples` says how many there are on average
@@ -65,6 +66,7 @@ struct RenderRecord {
   int max_depth = -1;  ///< surface interactions of a path, -1: unlimited
   Heuristic heuristic = Heuristic::balance;
   EmitterSelection emitter_selection = EmitterSelection::contribution;
+  AreaSampling area_sampling = AreaSampling::area;
   EnvironmentSampling environment_sampling = EnvironmentSampling::compensated;
   int emitter_candidates = 1;      ///< emitter samples of which one is taken
   std::optional<Masking> masking;  ///< where the caller replaced the scene's

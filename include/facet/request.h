@@ -38,6 +38,11 @@ enum class Heuristic { balance, power };
 /// what they can contribute to the shaded point, through a light tree.
 enum class EmitterSelection { uniform, power, contribution };
 
+/// How points of area emitters are sampled: by area, or by the solid angle that a triangle (or a
+/// quadrilateral of two) fills as seen from the shaded point (J. Arvo, "Stratified Sampling of
+/// Spherical Triangles", SIGGRAPH 1995).
+enum class AreaSampling { area, solid_angle };
+
 /// How directions towards an environment are sampled: by its radiance; or, where BSDFs are sampled
 /// as well, by what of its radiance exceeds the mean, since the BSDFs' samples find the rest (I.
 /// Karlík, M. Šik, P. Vévoda, T. Skřivan, J. Křivánek, "MIS Compensation: Optimizing Sampling
@@ -80,10 +85,11 @@ using ProgressCallback = std::function<bool(double done, const RenderStatistics&
 
 /// Wishes of a caller. What is not set follows the scene.
 struct RenderRequest {
-  /// Of each pixel; with `error` or `deadline` the most there may be, and as many as needed where
-  /// it is not set.
+  /// Of each pixel, which is also what the sampler zsobol orders them for; with `error` or
+  /// `deadline` the most there may be, and as many as needed where it is not set.
   std::optional<int> samples = {};
-  std::optional<SampleRange> sample_range = {};  ///< only these of them, for parts that are merged
+  /// Only these of them, for parts that are merged.
+  std::optional<SampleRange> sample_range = {};
   std::optional<std::string> integrator = {};    ///< by its name in the scene language
   std::optional<std::string> sampler = {};       ///< likewise
   std::optional<int> max_depth = {};             ///< surface interactions of a path, -1: unlimited
@@ -94,6 +100,7 @@ struct RenderRequest {
   std::optional<Heuristic> heuristic = {};
   std::optional<Masking> masking = {};  ///< of every rough BSDF
   std::optional<EmitterSelection> emitter_selection = {};
+  std::optional<AreaSampling> area_sampling = {};
   std::optional<EnvironmentSampling> environment_sampling = {};
   /// Emitter samples of which one is taken, by what it would contribute unshadowed; 1 to 16.
   std::optional<int> emitter_candidates = {};

@@ -2,12 +2,13 @@
 
    Emits where ns.w > 0, ns being the interpolated normal; points are sampled uniformly by area, two
    neighbouring triangles of one area as one, and the density per solid angle is p d^2 / (A |ng.w|)
-   with the geometric normal ng, p being the probability of the triangle and A its area. It must not
-   lie in the plane of another surface that it overlaps: rounding decides which of the two a ray
-   meets. */
+   with the geometric normal ng, p being the probability of the triangle and A its area; or
+   (areaSampling) uniformly by the solid angle that the triangles fill. It must not lie in the plane
+   of another surface that it overlaps: rounding decides which of the two a ray meets. */
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/random.glsl"
+#include "../lib/seen_triangle.glsl"
 #include "../lib/surface.glsl"
 #include "../lib/texture.glsl"
 #include "../lib/warp.glsl"
@@ -19,8 +20,8 @@ vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 
-/// Where the triangle of an emitter that s lies on has its record, and in which leaf of a light tree
-/// it is.
+/// Where the triangle of an emitter that s lies on has its record, and in which leaf of a light
+/// tree it is.
 EmitterPlace emitter_place_of(EmitterRecord e, Surface s) {
   uint i = e.first_triangle + (s.index - e.first_index);
   if (LIGHT_TREE) return fetch_emitter_place(i);
@@ -40,9 +41,10 @@ FACET_DEFINE_CHOICE(choose_emitter_triangle, FACET_TRIANGLE_COUNT)
 
 /// A point of a triangle.
 struct TrianglePoint {
-  uint triangle;  // place in the BVH
-  vec2 b;         // barycentric weights of its second and third vertex
-  float density;  // m^-2
+  uint triangle;        // place in the BVH
+  vec2 b;               // barycentric weights of its second and third vertex
+  float density;        // m^-2, or sr^-1
+  bool by_solid_angle;  // which of them
 };
 
 /// The point (u, v) of two triangles that have an edge in common.
@@ -51,14 +53,50 @@ TrianglePoint point_of_two(EmitterTriangle first, EmitterTriangle second, vec2 u
   // Of the corner that the edge misses and, in winding order, of the others.
   vec3 weights =
       in_first ? vec3(1.0 - u.x - u.y, u.x, u.y) : vec3(u.x + u.y - 1.0, 1.0 - u.x, 1.0 - u.y);
-  uint corner = in_first ? first.corner : second.corner;
+  uint corner = (in_first ? first.corner : second.corner) & CORNER_MASK;
   vec2 b = corner == 0u ? weights.yz : (corner == 1u ? weights.xy : weights.zx);
   return TrianglePoint(in_first ? first.triangle : second.triangle, b,
-                       in_first ? first.density : second.density);
+                       in_first ? first.density : second.density, false);
 }
 
-/// A point of some emitter triangles; u, v: words, fill: that of u.
-TrianglePoint area_point(uint first, uint count, uint u, uint v, uint fill) {
+bool is_one_of_two(EmitterTriangle t) {
+  return EMITTER_PIECES == 2u || (EMITTER_PIECES == 3u && t.corner != NO_CORNER);
+}
+
+/// Whether a piece's points are sampled by solid angle where it fills this one.
+bool is_sampled_as_seen(float solid_angle) {
+  return SOLID_ANGLE && solid_angle >= SMALLEST_SEEN && solid_angle <= LARGEST_SEEN;
+}
+
+/// Density, sr^-1, of the points of a triangle that are sampled by solid angle; share: of the
+/// choice between two.
+float seen_density(EmitterTriangle t, SeenTriangle seen, float share) {
+  // Of the piece's choice; of two triangles, the density by area has half of it.
+  float probability = t.density * seen.area * (is_one_of_two(t) ? 2.0 : 1.0);
+  return probability * (share / seen.solid_angle);
+}
+
+/// The point (u, v) of a piece as it is seen from a point; `otherwise` where it is not sampled so.
+/// first is read of two triangles alone.
+TrianglePoint point_as_seen(EmitterTriangle first, EmitterTriangle second, vec3 from, uint u,
+                            uint v, uint fill, TrianglePoint otherwise) {
+  SeenTriangle seen = see_triangle(second.triangle, from);
+  bool two = is_one_of_two(second);
+  SeenTriangle other = see_triangle(two ? first.triangle : second.triangle, from);
+  float others = two ? other.solid_angle : 0.0;
+  if (!is_sampled_as_seen(seen.solid_angle + others)) return otherwise;
+  float share = first_share(others, seen.solid_angle);
+  bool in_first = choose_first(u, share, fill * LIGHT_FILL_FACTOR + LIGHT_FILL_STEP);
+  vec2 square = vec2(unit_float(u), unit_float(v));
+  if (in_first)
+    return TrianglePoint(first.triangle, seen_point(other, square),
+                         seen_density(first, other, share), true);
+  return TrianglePoint(second.triangle, seen_point(seen, square),
+                       seen_density(second, seen, 1.0 - share), true);
+}
+
+/// A point of some emitter triangles for a surface at `from`; u, v: words, fill: that of u.
+TrianglePoint area_point(uint first, uint count, vec3 from, uint u, uint v, uint fill) {
   uint word = choice_word(u);
   uint chosen = choose_emitter_triangle(first, first + max(count, 1u) - 1u, word);
   EmitterTriangle triangle = fetch_emitter_triangle(chosen);
@@ -66,21 +104,41 @@ TrianglePoint area_point(uint first, uint count, uint u, uint v, uint fill) {
   uint begin = chosen > first ? before.cumulative : 0u;
   u = remainder_word(word, begin, triangle.cumulative, fill);
   vec2 square = vec2(unit_float(u), unit_float(v));
-  bool is_pair = EMITTER_PIECES == 2u || (EMITTER_PIECES == 3u && triangle.corner != NO_CORNER);
-  if (is_pair) return point_of_two(before, triangle, square);
-  return TrianglePoint(triangle.triangle, square_to_triangle(square), triangle.density);
+  TrianglePoint point =
+      is_one_of_two(triangle)
+          ? point_of_two(before, triangle, square)
+          : TrianglePoint(triangle.triangle, square_to_triangle(square), triangle.density, false);
+  return SOLID_ANGLE ? point_as_seen(before, triangle, from, u, v, fill, point) : point;
+}
+
+/// Density, sr^-1, of finding the point of s, which is on emitter triangle i, at the given distance
+/// along d from a point.
+float found_area_pdf(uint i, Surface s, vec3 d, float distance, vec3 from) {
+  EmitterTriangle t = fetch_emitter_triangle(i);
+  float by_area = area_pdf(t.density, s, d, distance);
+  if (!SOLID_ANGLE) return by_area;
+  SeenTriangle seen = see_triangle(t.triangle, from);
+  bool two = is_one_of_two(t);
+  bool is_first = two && (t.corner & FIRST_OF_TWO) != 0u;
+  uint mate = two ? (is_first ? i + 1u : i - 1u) : i;
+  SeenTriangle other = see_triangle(fetch_emitter_triangle(mate).triangle, from);
+  float others = two ? other.solid_angle : 0.0;
+  if (!is_sampled_as_seen(seen.solid_angle + others)) return by_area;
+  float share = is_first ? first_share(seen.solid_angle, others)
+                         : 1.0 - first_share(others, seen.solid_angle);
+  return seen_density(t, seen, share);
 }
 
 /// A direction to one of the emitter triangles [first, first + count). e: their emitter, where
 /// there is no light tree. from: the shaded surface; u, v: words, fill: that of u.
 EmitterSample area_sample(EmitterRecord e, uint first, uint count, Surface from, uint u, uint v,
                           uint fill) {
-  TrianglePoint point = area_point(first, count, u, v, fill);
+  TrianglePoint point = area_point(first, count, from.position, u, v, fill);
   Surface s = surface_at(point.triangle, point.b.x, point.b.y);
   vec3 to = s.position - from.position;
   EmitterSample r;
   r.d = normalize_safe(to);
-  r.pdf = area_pdf(point.density, s, r.d, dot3(to, r.d));
+  r.pdf = point.by_solid_angle ? point.density : area_pdf(point.density, s, r.d, dot3(to, r.d));
   if (LIGHT_TREE) {
     uint emitter = fetch_mesh(s.mesh).emitter;
     e = fetch_emitter(emitter == NONE ? 0u : emitter);

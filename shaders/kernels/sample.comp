@@ -9,7 +9,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 /// Of a path's first interaction.
 BsdfNumbers path_numbers(uint index) {
-  SampleId id = SampleId(0u, evaluation.first_sample + index, evaluation.seed);
+  SampleId id = SampleId(0u, evaluation.first_sample + index, evaluation.seed, uvec2(0u), 0u);
   return bsdf_numbers(random_block(id, bounce_block(1u) + BOUNCE_BSDF));
 }
 

@@ -54,6 +54,17 @@ bool choose_first(inout uint bits, float p, uint fill) {
   return first;
 }
 
+/// Probability of the first of two by weights: that of the lesser one is rounded to seven
+/// significant bits, so that rounding before hardly ever changes it and with it all that its words
+/// decide later. 1 where both are 0.
+float first_share(float first, float second) {
+  float sum = first + second;
+  float lesser = sum > 0.0 ? min(first, second) / sum : 0.0;
+  float rounded = uintBitsToFloat((floatBitsToUint(lesser) + 0x10000u) & 0xfffe0000u);
+  rounded = lesser > 0.0 ? max(rounded, 7.62939453e-6) : 0.0;
+  return first < second ? rounded : 1.0 - rounded;
+}
+
 /// Defines uint name(uint low, uint high, uint bits): the first i of [low, high] with bits <
 /// CUMULATIVE(i). A macro, since GLSL cannot hand a buffer to a function. 32 halvings reach one
 /// entry from any range.

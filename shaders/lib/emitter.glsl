@@ -96,8 +96,8 @@ FoundEmission emission_of_surface(Surface s, vec3 d, float distance, Receiver fr
   EmitterPlace place = emitter_place_of(e, s);
   float chosen = LIGHT_TREE ? light_probability(emits ? place.leaf : 0u, from) : e.probability;
   if (LIGHT_TREE && HAS_EMITTER(environment)) chosen *= 1.0 - environment_share(from);
-  float density = fetch_emitter_triangle(place.triangle).density;
-  f.pdf = emits ? area_pdf(density, s, d, distance) * chosen : 0.0;
+  // What is no emitter's has a place somewhere else.
+  if (emits) f.pdf = found_area_pdf(place.triangle, s, d, distance, from.position) * chosen;
   return f;
 }
 

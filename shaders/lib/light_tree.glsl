@@ -39,17 +39,6 @@ float light_importance(LightNode node, Receiver at) {
   return node.energy * cosines / max(max(d2, r2), 1.0e-37);
 }
 
-/// Probability of the first of two by their importances: that of the lesser one is rounded to seven
-/// significant bits, so that rounding before hardly ever changes it and with it all that its words
-/// decide later.
-float first_share(float first, float second) {
-  float sum = first + second;
-  float lesser = sum > 0.0 ? min(first, second) / sum : 0.0;
-  float rounded = uintBitsToFloat((floatBitsToUint(lesser) + 0x10000u) & 0xfffe0000u);
-  rounded = lesser > 0.0 ? max(rounded, 7.62939453e-6) : 0.0;
-  return first < second ? rounded : 1.0 - rounded;
-}
-
 /// A node of the tree and the probability of its choice; 0 where nothing can light the point.
 struct ChosenLight {
   LightNode node;

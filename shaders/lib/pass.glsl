@@ -31,11 +31,12 @@ uvec2 crop_to_image(uint crop_pixel) {
 
 /// What a slot's random numbers depend on.
 SampleId slot_sample(uint slot) {
-  uvec2 p = crop_to_image(slot_crop_pixel(slot));
   SampleId id;
-  id.pixel = p.y * frame.width + p.x;
+  id.position = crop_to_image(slot_crop_pixel(slot));
+  id.pixel = id.position.y * frame.width + id.position.x;
   id.index = pass_constants.first_sample + slot / pass_constants.pixel_count;
   id.seed = pass_constants.seed;
+  id.order_bits = pass_constants.order_bits;
   return id;
 }
 

@@ -10,11 +10,15 @@ struct SampleId {
   uint pixel;  // y * width + x of the whole image
   uint index;  // of the sample
   uint seed;
+  uvec2 position;   // x, y of the pixel in the whole image
+  uint order_bits;  // zsobol: 2^order_bits samples of a pixel belong to one net
 };
 
 /// The four words of a block.
 uvec4 random_block(SampleId id, uint block) {
   if (SAMPLER == SAMPLER_sobol) return sobol_block(id.pixel, id.index, block, id.seed);
+  if (SAMPLER == SAMPLER_zsobol)
+    return zsobol_block(id.position, id.index, id.order_bits, block, id.seed);
   return pcg4d(uvec4(id.pixel, id.index, block, id.seed));
 }
 

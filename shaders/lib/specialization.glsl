@@ -19,6 +19,8 @@ layout(constant_id = SPEC_SEVERAL_EMITTERS) const bool SEVERAL_EMITTERS = true;
 layout(constant_id = SPEC_EMITTER_PIECES) const uint EMITTER_PIECES = 3;
 /// Emitters and their triangles are chosen by a light tree.
 layout(constant_id = SPEC_LIGHT_TREE) const bool LIGHT_TREE = true;
+/// Points of area emitters are sampled by solid angle.
+layout(constant_id = SPEC_SOLID_ANGLE) const bool SOLID_ANGLE = false;
 /// Some mesh has vertex normals.
 layout(constant_id = SPEC_SHADING_NORMALS) const bool SHADING_NORMALS = true;
 /// Shading kernel, id of FACET_INTEGRATOR_KERNEL_LIST.

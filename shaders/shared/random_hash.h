@@ -68,6 +68,52 @@ FACET_FUNCTION uvec4 sobol_block(uint pixel, uint index, uint block, uint seed) 
   return uvec4(first, second);
 }
 
+/// The bits of x below 2^16, spread to the even places.
+FACET_FUNCTION uint spread_bits(uint x) {
+  x = (x | (x << 8u)) & 0x00ff00ffu;
+  x = (x | (x << 4u)) & 0x0f0f0f0fu;
+  x = (x | (x << 2u)) & 0x33333333u;
+  return (x | (x << 1u)) & 0x55555555u;
+}
+
+/// Place of a pixel of a square along a curve that visits each quarter of it whole before
+/// the next, each quarter's quarters likewise, and so on: Morton's, but that `turns` decides for
+/// each size of squares which two quarters make a half: those beside one another, above one
+/// another, or across.
+FACET_FUNCTION uint place_on_curve(uvec2 pixel, uint turns) {
+  uint column = spread_bits(pixel.x);
+  uint row = spread_bits(pixel.y);
+  uint exchanged = turns & 0x55555555u;
+  uint crossed = (turns >> 1u) & 0x55555555u & ~exchanged;
+  uint half_of = (row & ~exchanged) | (column & exchanged);
+  uint quarter_of = (column & ~exchanged) | (row & exchanged);
+  half_of ^= quarter_of & crossed;
+  return (half_of << 1u) | quarter_of;
+}
+
+/// Point of a pair of dimensions, by the place of a sample on a curve through the pixels of a tile
+/// and 2^bits samples of each.
+FACET_FUNCTION uvec2 zsobol_pair(uvec2 pixel_in_tile, uint sample_in_run, uint bits, uvec4 which) {
+  uvec4 seeds = pcg4d(which);
+  uint place = (place_on_curve(pixel_in_tile, seeds.w) << bits) | sample_in_run;
+  return scrambled_sobol(place, seeds);
+}
+
+/// The four words of a block of dimensions, as sobol_block's, but that the points of neighbouring
+/// pixels belong to one net as well, together with 2^bits samples of each pixel: errors of
+/// neighbours cancel (A. G. M. Ahmed, P. Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo
+/// Sampling Error via Hierarchical Ordering of Pixels", ACM TOG 39(6), 2020). A net is that of a
+/// tile as large as 32 bits can count, and of one run of 2^bits samples; others are independent.
+FACET_FUNCTION uvec4 zsobol_block(uvec2 pixel, uint index, uint bits, uint block, uint seed) {
+  uint side_bits = (32u - bits) / 2u;
+  uvec4 net = pcg4d(uvec4(pixel >> side_bits, index >> bits, seed));
+  uvec2 inside = pixel & ((1u << side_bits) - 1u);
+  uint run = index & ((1u << bits) - 1u);
+  uvec2 first = zsobol_pair(inside, run, bits, uvec4(net.x, block, 0u, net.y));
+  uvec2 second = zsobol_pair(inside, run, bits, uvec4(net.x, block, 1u, net.y));
+  return uvec4(first, second);
+}
+
 /// Words of candidate i of `count`, made of the first one's: i/count and the reversed bits of i
 /// further, around the square. So all are spread over it.
 FACET_FUNCTION uvec2 candidate_words(uvec2 first, uint i, uint count) {

@@ -128,9 +128,17 @@ struct EmitterTriangle {
   uint triangle;    // its place in the BVH
   float density;    // of its points, m^-2: the probability of its choice over its area; with a
                     // light tree, once its leaf is chosen
-  uint corner;      // of two, the one that their common edge misses; NO_CORNER: sampled by itself
+  uint corner;      // of two, the one that their common edge misses, of the first of them with
+                    // FIRST_OF_TWO beside it; NO_CORNER: sampled by itself
 };
 FACET_CONSTANT uint NO_CORNER = 3u;
+FACET_CONSTANT uint FIRST_OF_TWO = 4u;
+FACET_CONSTANT uint CORNER_MASK = 3u;
+
+// Solid angles, sr, between which the points of a piece of an emitting mesh are sampled by it: of
+// smaller pieces, area is as good, and larger ones are those that the point all but lies on.
+FACET_CONSTANT float SMALLEST_SEEN = 0.001f;
+FACET_CONSTANT float LARGEST_SEEN = 6.0f;
 
 /// Where a triangle of an area emitter is in the light tree's order.
 struct EmitterPlace {
@@ -240,8 +248,9 @@ struct PassConstants {
   uint film_first;  // crop pixel of the film's first record
   uint film_begin;  // samples of the pass that film.comp adds: [film_begin, film_end)
   uint film_end;
-  uint emitter;  // that a round of a bounce samples, where every emitter is sampled
-  uint seed;     // of the random numbers
+  uint emitter;     // that a round of a bounce samples, where every emitter is sampled
+  uint seed;        // of the random numbers
+  uint order_bits;  // of the sampler's nets: zsobol
 };
 
 /// What is asked of one BSDF (evaluate.comp, sample.comp).
@@ -281,7 +290,7 @@ static_assert(sizeof(TextureRecord) == 48);
 static_assert(sizeof(EnvironmentRow) == 16 && sizeof(FrameRecord) == 160 &&
               sizeof(RayRecord) == 32);
 static_assert(sizeof(HitRecord) == 16 && sizeof(PathRecord) == 32);
-static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 48);
+static_assert(sizeof(FilmRecord) == 32 && sizeof(PassConstants) == 52);
 static_assert(sizeof(EvaluationRecord) == 32 && sizeof(QueryRecord) == 32);
 static_assert(offsetof(FrameRecord, width) == 64 && offsetof(FrameRecord, emitter_count) == 96);
 static_assert(offsetof(EmitterRecord, type) == 32 && offsetof(EmitterRecord, probability) == 48);

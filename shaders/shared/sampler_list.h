@@ -5,6 +5,7 @@
 
 #define FACET_SAMPLER_LIST(SAMPLER) \
   SAMPLER(independent, 0)           \
-  SAMPLER(sobol, 1)
+  SAMPLER(sobol, 1)                 \
+  SAMPLER(zsobol, 2)
 
 #endif

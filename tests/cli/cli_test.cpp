@@ -198,9 +198,8 @@ TEST_F(CliTest, Info) {
 TEST_F(CliTest, InfoListsWhatIsSupported) {
   const Result list = run({"info", "--plugins"});
   EXPECT_EQ(list.code, 0);
-  expect_words(
-      list.out,
-      {"bsdf        diffuse: ", "sampler     independent, sobol: ", "direct_ems, direct_mats"});
+  expect_words(list.out, {"bsdf        diffuse: ", "sampler     independent, sobol, zsobol: ",
+                          "direct_ems, direct_mats"});
   const Result manual = run({"info", "--plugins", "whitted"});
   EXPECT_EQ(manual.code, 0);
   expect_words(manual.out, {"integrator \"whitted\": ", "maxDepth"});

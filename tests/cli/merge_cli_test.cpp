@@ -23,16 +23,15 @@ class MergedTest : public MergeCliTest {
   /// Renders all of the samples at once and in parts, and expects no channel to differ by more than
   /// 2 ulp.
   void expect_whole(const std::vector<std::string>& ranges, const std::string& samples,
-                    const Names& options) const {
+                    Names options) const {
     SCOPED_TRACE(::testing::PrintToString(ranges));
+    options.insert(options.end(), {"--spp", samples});
     Names files;
     for (const std::string& range : ranges) {
       files.push_back(range.substr(0, range.find(':')) + ".exr");
       part(files.back(), range, options);
     }
-    Names whole = options;
-    whole.insert(whole.end(), {"--spp", samples});
-    render("whole.exr", whole);
+    render("whole.exr", options);
     expect_two_ulps(read("whole.exr"), merge(files));
   }
 
@@ -58,12 +57,15 @@ TEST_F(MergedTest, PartsOfTheKernelsAreTheWhole) {
   expect_whole({"0:13", "13:14", "14:31", "31:63", "63:64"}, "64", {});
 }
 
-TEST_F(MergedTest, PartsUnderSobolAreTheWhole) {
+TEST_F(MergedTest, PartsUnderOrderedSamplersAreTheWhole) {
   for (const char* backend : {"vulkan", "reference"}) {
-    const Names options{"--sampler", "sobol", "--backend", backend};
-    expect_whole({"0:1", "1:3", "3:37", "37:64"}, "64", options);
-    EXPECT_EQ(*find_metadata(read("whole.exr").metadata, "facet.sampler"), "sobol");
+    for (const char* sampler : {"sobol", "zsobol"}) {
+      expect_whole({"0:1", "1:3", "3:37", "37:64"}, "64",
+                   {"--sampler", sampler, "--backend", backend});
+      EXPECT_EQ(metadata(read("whole.exr"), "facet.sampler"), sampler);
+    }
   }
+  EXPECT_EQ(metadata(read("whole.exr"), "facet.plannedSamples"), "64");
 }
 
 TEST_F(MergedTest, PartsOfTheReferenceAreTheWhole) {

@@ -28,6 +28,13 @@ TEST_F(MergeCliTest, PartsOfDifferentRendersAreRefused) {
   expect_refusal({"b.exr", "c.exr"}, {"c.exr: ", "precision is double", "b.exr is float"});
 }
 
+// What zsobol's numbers are depends on how many samples there are to be.
+TEST_F(MergeCliTest, PartsOrderedForDifferentNumbersOfSamplesAreRefused) {
+  part("a.exr", "0:2", {"--sampler", "zsobol", "--spp", "8"});
+  part("b.exr", "2:4", {"--sampler", "zsobol", "--spp", "4"});
+  expect_refusal({"a.exr", "b.exr"}, {"b.exr: ", "planned samples per pixel is 4", "a.exr is 8"});
+}
+
 TEST_F(MergeCliTest, PartsOfDifferentScenesAreRefused) {
   part("a.exr", "0:2");
   folder_.write("other.xml", with_filter("<rfilter type=\"mitchell\"/>"));

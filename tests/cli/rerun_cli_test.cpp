@@ -17,10 +17,12 @@ using Words = std::vector<std::string>;
 /// choose.
 const std::map<std::string, std::string>& options() {
   static const std::map<std::string, std::string> list{{"--integrator", "path_mis"},
-                                                       {"--sampler", "sobol"},
+                                                       {"--sampler", "zsobol"},
+                                                       {"--spp", "11"},
                                                        {"--max-depth", "3"},
                                                        {"--heuristic", "power"},
                                                        {"--emitter-selection", "uniform"},
+                                                       {"--area-sampling", "solidangle"},
                                                        {"--environment-sampling", "radiance"},
                                                        {"--emitter-candidates", "3"},
                                                        {"--masking", "exact"},
@@ -120,7 +122,7 @@ TEST_F(RerunCliTest, TheKernelsRenderTheSameValueAgain) {
 // A pixel by itself is not adaptive; its number of samples stands in the image.
 TEST_F(RerunCliTest, APixelOfAnAdaptiveImageHasItsOwnNumberOfSamples) {
   for (const char* backend : {"vulkan", "reference"}) {
-    Words words = render("a.exr", {"--sample-range", "--backend", "--precision"});
+    Words words = render("a.exr", {"--sample-range", "--spp", "--backend", "--precision"});
     words.insert(words.begin() + 1, {"--adaptive", "--spp=32", "--backend", backend});
     ASSERT_EQ(run(words).code, 0);
     const Image image = read_exr(folder_.file("a.exr"));
@@ -139,9 +141,9 @@ TEST_F(RerunCliTest, ParitysCommandRendersTheSampleAgain) {
   Words words{"parity", "--resolution=64x48", "--spp=4", "--json=-", "--quiet"};
   for (const auto& [option, value] : options()) {
     const bool foreign = option == "--backend" || option == "--precision";
-    const bool changes_samples = option == "--sample-range" || option == "--seed" ||
-                                 option == "--integrator" || option == "--max-depth" ||
-                                 option == "--emitter-selection";
+    const bool changes_samples = option == "--sample-range" || option == "--spp" ||
+                                 option == "--seed" || option == "--integrator" ||
+                                 option == "--max-depth" || option == "--emitter-selection";
     if (!foreign && !changes_samples) words.push_back(option + "=" + value);
   }
   words.push_back(scene);

@@ -145,9 +145,10 @@ TEST_F(TradeoffCliTest, AllCombinationsAreMeasuredWhereAskedFor) {
   write_scene("black.xml", floor() + light());
   const auto names = names_of(
       tradeoff({"black.xml", "--integrator", "direct_ems", "--exhaustive"}, "1")["points"]);
-  // By direct_mats: samplers. By direct_ems: the same, how a triangle is chosen, from one candidate
-  // or four. By direct_mis: heuristics as well. Adaptive sampling needs 16 samples.
-  EXPECT_EQ(names.size(), 2U + 2 * 2 * 2 + 2 * 2 * 2 * 2 + 2) << "and two precisions";
+  // By direct_mats: samplers. By direct_ems: the same, how a triangle is chosen and a point of it,
+  // from one candidate or four. By direct_mis: heuristics as well. Adaptive sampling needs 16
+  // samples.
+  EXPECT_EQ(names.size(), 2U + 2 * 2 * 2 * 2 + 2 * 2 * 2 * 2 * 2 + 2) << "and two precisions";
   EXPECT_TRUE(names.contains("direct_mis, heuristic power, emitter-selection power, sobol"));
 }
 

@@ -134,14 +134,33 @@ TEST(Parity, holds_for_crops_seeds_and_later_samples) {
   expect_parity(scene, settings);
 }
 
-TEST(Parity, holds_for_the_sobol_sampler) {
+TEST(Parity, holds_for_ordered_samplers) {
   Scene scene = busy_scene();
-  scene.sampler = Sampler::sobol;
+  for (const Sampler sampler : {Sampler::sobol, Sampler::zsobol}) {
+    scene.sampler = sampler;
+    for (const char* integrator : {"path_mis", "whitted"}) {
+      set_integrator(scene, integrator);
+      RenderSettings settings = whole_image(scene, 4);
+      settings.seed = 4000000000U;
+      settings.planned = 3;
+      expect_parity(scene, settings);
+    }
+  }
+}
+
+TEST(Parity, holds_for_points_by_solid_angle) {
+  Scene scene = busy_scene();
+  // Close above all of it, so that it fills much of what any point sees.
+  add_mesh(scene, make_quad({-3, 3, -3}, {3, 3, -3}, {3, 3.5F, 3}, {-3, 3.5F, 3}),
+           bsdf::Diffuse{Color(0.1F)}, Color(0.5F));
+  scene.integrator.area_sampling = AreaSampling::solid_angle;
   for (const char* integrator : {"path_mis", "whitted"}) {
-    set_integrator(scene, integrator);
-    RenderSettings settings = whole_image(scene, 4);
-    settings.seed = 4000000000U;
-    expect_parity(scene, settings);
+    for (const EmitterSelection selection :
+         {EmitterSelection::contribution, EmitterSelection::power}) {
+      set_integrator(scene, integrator);
+      scene.integrator.emitter_selection = selection;
+      expect_parity(scene, whole_image(scene, 4));
+    }
   }
 }
 

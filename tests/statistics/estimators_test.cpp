@@ -8,7 +8,7 @@ namespace facet::test {
 namespace {
 
 /// Each comparison corrects for its cells; this is shared among the comparisons of this file.
-constexpr double significance = 0.01 / 32;
+constexpr double significance = 0.01 / 36;
 
 /// Shrinks the image, keeping its shape.
 void shrink(Scene& scene, int width) {
@@ -157,6 +157,34 @@ TEST(EstimatorChoices, one_of_several_candidates_keeps_the_expectation) {
       scene.integrator.emitter_candidates = count;
       expect_agreement(one, estimate(scene, integrator, 2, 2048),
                        fmt::format("{}, {} candidates", integrator, count));
+    }
+  }
+}
+
+/// A floor close below a lamp of two triangles that it sees as unlike large, and of one alone.
+Scene floor_under_large_lamps(const char* integrator) {
+  Scene scene = make_scene(integrator);
+  scene.integrator.max_depth = 3;
+  add_mesh(scene, make_quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}),
+           bsdf::RoughSubstrate{Color(0.4F), 0.3F});
+  add_mesh(scene, make_quad({-1, 0.1F, -1}, {1, 0.4F, -1}, {1, 0.9F, 1}, {-1, 0.6F, 1}),
+           bsdf::Diffuse{}, Color(3, 2, 1));
+  add_mesh(scene, make_mesh({{-1.8F, 0.05F, -1}, {-1.2F, 0.3F, 1}, {-1.8F, 0.8F, 1.5F}}),
+           bsdf::Diffuse{}, Color(1, 2, 3));
+  set_camera(scene, 24, 40, {-2, 2, -2}, {0, 0, 0});
+  return scene;
+}
+
+TEST(EstimatorChoices, points_by_solid_angle_keep_the_expectation) {
+  for (const char* integrator : {"path_mis", "path_ems"}) {
+    Scene scene = floor_under_large_lamps(integrator);
+    for (const EmitterSelection selection :
+         {EmitterSelection::contribution, EmitterSelection::power}) {
+      scene.integrator.area_sampling = AreaSampling::area;
+      const Image area = estimate(scene, integrator, 1, 2048, LobeSampling::visible, selection);
+      scene.integrator.area_sampling = AreaSampling::solid_angle;
+      expect_agreement(area, estimate(scene, integrator, 2, 2048, LobeSampling::visible, selection),
+                       fmt::format("{}, by solid angle", integrator));
     }
   }
 }

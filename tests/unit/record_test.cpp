@@ -14,7 +14,8 @@ RenderRecord full_record() {
   r.version = "1.2.3";
   r.scene = "/a folder/the scene.xml";
   r.integrator = "path_mis";
-  r.sampler = "sobol";
+  r.sampler = "zsobol";
+  r.planned = 64;
   r.sampling = LobeSampling::ndf;
   r.samples = SampleRanges(SampleRange{3, 9});
   r.adaptive = true;
@@ -22,6 +23,7 @@ RenderRecord full_record() {
   r.max_depth = 7;
   r.heuristic = Heuristic::power;
   r.emitter_selection = EmitterSelection::uniform;
+  r.area_sampling = AreaSampling::solid_angle;
   r.environment_sampling = EnvironmentSampling::radiance;
   r.emitter_candidates = 3;
   r.masking = Masking::exact;
@@ -94,7 +96,9 @@ TEST(Record, makes_the_command_that_renders_again) {
   EXPECT_EQ(rerun_command(full, {40, 30}, 5, 6),
             "facet render --pixel=5,6 --resolution=40x30 --backend=reference --precision=double "
             "--integrator=path_mis --max-depth=7 --heuristic=power --emitter-selection=uniform "
-            "--environment-sampling=radiance --emitter-candidates=3 --sampler=sobol --sampling=ndf "
+            "--area-sampling=solidangle --environment-sampling=radiance --emitter-candidates=3 "
+            "--sampler=zsobol --spp=64 "
+            "--sampling=ndf "
             "--masking=exact "
             "--sample-range=3:9 --seed=4000000000 "
             "-- '/a folder/the scene.xml'");

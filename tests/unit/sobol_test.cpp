@@ -1,7 +1,9 @@
 // The numbers of the sobol sampler: nets within pairs, nothing between them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -16,14 +18,12 @@ namespace {
 /// Of 32 bits, the first `bits`.
 std::uint32_t cell(std::uint32_t word, int bits) { return bits == 0 ? 0 : word >> (32 - bits); }
 
-/// Whether every box of 2^-a by 2^-(k - a) holds exactly one of the 2^k samples from `first` on.
-bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pair,
-            std::uint32_t first, int k) {
-  const std::uint32_t count = 1U << k;
+/// Whether every box of 2^-a by 2^-(k - a) holds exactly one of 2^k points, a pair of components.
+bool is_net(const std::vector<shared::uvec4>& points, int pair) {
+  const int k = static_cast<int>(std::bit_width(points.size())) - 1;
   for (int a = 0; a <= k; ++a) {
-    std::vector<bool> full(count, false);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const shared::uvec4 words = shared::sobol_block(pixel, first + i, block, seed);
+    std::vector<bool> full(points.size(), false);
+    for (const shared::uvec4& words : points) {
       const std::size_t box =
           cell(words[2 * pair], a) << (k - a) | cell(words[2 * pair + 1], k - a);
       if (full[box]) return false;
@@ -31,6 +31,30 @@ bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pa
     }
   }
   return true;
+}
+
+/// The same of the 2^k samples of a pixel from `first` on.
+bool is_net(std::uint32_t pixel, std::uint32_t block, std::uint32_t seed, int pair,
+            std::uint32_t first, int k) {
+  std::vector<shared::uvec4> points;
+  for (std::uint32_t i = 0; i < 1U << k; ++i)
+    points.push_back(shared::sobol_block(pixel, first + i, block, seed));
+  return is_net(points, pair);
+}
+
+/// 2^k samples from `first` on of each pixel of a square, of those zsobol orders 2^bits of.
+std::vector<shared::uvec4> points_of_square(shared::uvec2 corner, std::uint32_t side,
+                                            std::uint32_t first, int k, std::uint32_t bits,
+                                            std::uint32_t block) {
+  std::vector<shared::uvec4> points;
+  for (std::uint32_t y = 0; y < side; ++y) {
+    for (std::uint32_t x = 0; x < side; ++x) {
+      for (std::uint32_t i = 0; i < 1U << k; ++i)
+        points.push_back(
+            shared::zsobol_block(corner + shared::uvec2(x, y), first + i, bits, block, 5));
+    }
+  }
+  return points;
 }
 
 TEST(Sobol, aligned_runs_of_samples_are_nets_in_each_pair) {
@@ -43,6 +67,73 @@ TEST(Sobol, aligned_runs_of_samples_are_nets_in_each_pair) {
         for (const std::uint32_t run : {0U, 1U, 2U, 3U, 1048575U})
           EXPECT_TRUE(is_net(pixel, block, seed, pair, run << k, k))
               << pixel << ' ' << block << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(Zsobol, aligned_runs_of_samples_are_nets_in_each_pair) {
+  for (const shared::uvec2 pixel : {shared::uvec2(0, 0), {5, 2}, {799, 598}, {1048575, 3}}) {
+    for (const std::uint32_t bits : {0U, 3U, 4U, 10U, 30U}) {
+      for (int k = 0; k <= std::min(static_cast<int>(bits), 8); ++k) {
+        for (const std::uint32_t run : {0U, 1U, 5U}) {
+          const auto points = points_of_square(pixel, 1, run << k, k, bits, 7);
+          EXPECT_TRUE(is_net(points, 0) && is_net(points, 1)) << bits << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(Zsobol, samples_of_aligned_squares_are_nets) {
+  for (const std::uint32_t bits : {0U, 1U, 4U, 5U}) {
+    for (int j = 0; j <= 3; ++j) {
+      const std::uint32_t side = 1U << j;
+      for (const shared::uvec2 corner : {shared::uvec2(0, 0), {24, 8}, {1000, 40}}) {
+        for (const std::uint32_t run : {0U, 3U}) {
+          const auto points =
+              points_of_square(corner, side, run << bits, static_cast<int>(bits), bits, 2);
+          EXPECT_TRUE(is_net(points, 0) && is_net(points, 1)) << bits << ' ' << side;
+        }
+      }
+    }
+  }
+}
+
+// Tiles are as large as 32 bits can count: of 2^4 samples, 2^14 pixels square.
+TEST(Zsobol, tiles_and_further_samples_have_nets_of_their_own) {
+  int same_cells = 0;
+  constexpr std::uint32_t blocks = 1000;
+  for (std::uint32_t block = 0; block < blocks; ++block) {
+    const std::uint32_t first = shared::zsobol_block({3, 4}, 0, 4, block, 5).x;
+    for (const std::uint32_t other :
+         {shared::zsobol_block({3, 4}, 16, 4, block, 5).x,
+          shared::zsobol_block({3 + (1U << 14U), 4}, 0, 4, block, 5).x,
+          shared::zsobol_block({3, 4 + (1U << 14U)}, 0, 4, block, 5).x}) {
+      EXPECT_NE(first, other);
+      same_cells += static_cast<int>(cell(first, 4) == cell(other, 4));
+    }
+  }
+  // One of sixteen, as of independent numbers; within a net, the same cell would be rarer.
+  const double expected = 3 * blocks / 16.0;
+  EXPECT_LT(std::abs(same_cells - expected),
+            statistics::two_sided_normal_quantile(0.01) * std::sqrt(expected * 15 / 16));
+}
+
+TEST(Zsobol, curve_fills_every_square_before_it_goes_on) {
+  for (const std::uint32_t turns : {0U, 1U, 2U, 3U, 0x5555aaaaU, 0x9d2c5680U}) {
+    std::vector<bool> seen(1U << 12U, false);
+    for (std::uint32_t y = 0; y < 64; ++y) {
+      for (std::uint32_t x = 0; x < 64; ++x) {
+        const std::uint32_t place = shared::place_on_curve({x, y}, turns);
+        ASSERT_LT(place, seen.size());
+        EXPECT_FALSE(seen[place]);
+        seen[place] = true;
+        // The square of 2^j pixels that a pixel is in is told by all but the last 2j bits.
+        for (std::uint32_t j = 1; j < 6; ++j) {
+          const std::uint32_t corner = shared::place_on_curve({x >> j << j, y >> j << j}, turns);
+          EXPECT_EQ(place >> 2 * j, corner >> 2 * j);
+        }
       }
     }
   }

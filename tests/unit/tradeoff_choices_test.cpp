@@ -43,21 +43,31 @@ Names names_around(const Scene& scene, const Plan& plan, bool with_biased = fals
 
 TEST(TradeoffChoices, AreWhatTheSceneHasAUseFor) {
   EXPECT_EQ(names_around(floor_under(2, "direct_mis"), {}),
-            (Names{"adaptive", "direct_ems", "direct_mats", "direct_whitted",
-                   "emitter-candidates 4", "emitter-selection power", "emitter-selection uniform",
-                   "heuristic power", "sampling ndf", "sobol"}));
+            (Names{"adaptive", "area-sampling solidangle", "direct_ems", "direct_mats",
+                   "direct_whitted", "emitter-candidates 4", "emitter-selection power",
+                   "emitter-selection uniform", "heuristic power", "sampling ndf", "sobol"}));
   // Of one lamp only the triangle can be chosen, and every emitter is sampled anyway.
   EXPECT_EQ(names_around(floor_under(1, "direct_mis"), {}),
-            (Names{"adaptive", "direct_ems", "direct_mats", "emitter-candidates 4",
-                   "emitter-selection power", "heuristic power", "sampling ndf", "sobol"}));
+            (Names{"adaptive", "area-sampling solidangle", "direct_ems", "direct_mats",
+                   "emitter-candidates 4", "emitter-selection power", "heuristic power",
+                   "sampling ndf", "sobol"}));
   // Sampling emitters alone, direct light needs no lobe; nothing is weighted.
   EXPECT_EQ(names_around(floor_under(1, "direct_ems"), {}),
-            (Names{"adaptive", "direct_mats", "direct_mis", "emitter-candidates 4",
-                   "emitter-selection power", "sobol"}));
+            (Names{"adaptive", "area-sampling solidangle", "direct_mats", "direct_mis",
+                   "emitter-candidates 4", "emitter-selection power", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "path_ems", bsdf::Diffuse{}), {}),
-            (Names{"adaptive", "emitter-candidates 4", "emitter-selection power", "path",
-                   "path_mats", "sobol"}));
+            (Names{"adaptive", "area-sampling solidangle", "emitter-candidates 4",
+                   "emitter-selection power", "path", "path_mats", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "ao"), {}), (Names{"adaptive", "sobol"}));
+  // The error of a pixel is that of sobol, whichever of them the scene takes.
+  Scene ordered = floor_under(1, "ao");
+  ordered.sampler = Sampler::zsobol;
+  EXPECT_EQ(names_around(ordered, {}), (Names{"adaptive", "independent"}));
+  // Lamps that fill little of what any point sees are as well sampled by area.
+  Scene small = floor_under(1, "path_ems", bsdf::Diffuse{});
+  for (vec3& p : small.meshes[std::get<AreaEmitter>(small.emitters[0]).mesh].positions)
+    p = 0.02F * p + vec3(0, 1, 0);
+  EXPECT_EQ(std::ranges::count(names_around(small, {}), "area-sampling solidangle"), 0);
 }
 
 TEST(TradeoffChoices, BiasedOnesAreTold) {

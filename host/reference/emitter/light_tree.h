@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "reference/choice.h"
-#include "reference/grid.h"
-#include "reference/probe.h"
+#include "reference/emitter/share.h"
 #include "reference/real.h"
 #include "scene/emitter/light_tree.h"
 
@@ -17,22 +16,6 @@ struct Receiver {
   Vec3<Real> point{0};
   Vec3<Real> normal{0};  ///< unit, on the side that is lit; 0 where both are
 };
-
-/// Probability of the first of two by their importances, which are not both 0: that of the lesser
-/// one has seven significant bits and is at least 2^-17, if it is not 0. item: of the decision how
-/// it is rounded.
-template <typename Real, typename Probe>
-[[nodiscard]] double share_of_first(Real first, Real second, std::uint64_t item, Probe& probe) {
-  const Real lesser = std::min(first, second) / (first + second);
-  double share = 0;
-  if (lesser > 0) {
-    const int bits = 6 - std::ilogb(lesser);
-    const Real rounded = decided_floor(std::ldexp(lesser, bits) + static_cast<Real>(0.5), Real(64),
-                                       DecisionKind::light, item, probe);
-    share = std::max(std::ldexp(static_cast<double>(rounded), -bits), std::ldexp(1.0, -17));
-  }
-  return first < second ? share : 1 - share;
-}
 
 /// The tree in use: leaves hold indices of what it was planted with.
 class LightChooser {
@@ -162,7 +145,7 @@ class LightChooser {
     const Real a = probe.nudged(importance(tree_.nodes[first], at));
     const Real b = probe.nudged(importance(tree_.nodes[first + 1], at));
     if (!(a + b > 0)) return {0, true};
-    return {share_of_first(a, b, first, probe)};
+    return {share_of_first(a, b, DecisionKind::light, first, probe)};
   }
 
   LightTree tree_;

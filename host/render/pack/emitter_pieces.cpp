@@ -46,7 +46,7 @@ std::vector<EmitterPiece> emitter_pieces(const Mesh& mesh) {
         across_common_edge(triangle_corners(mesh, i - 1), triangle_corners(mesh, i));
     if (!corners) continue;
     before.weight = 0;
-    before.corner = corners->first;
+    before.corner = corners->first | shared::FIRST_OF_TWO;
     pieces[i].weight += before.area;
     pieces[i].corner = corners->second;
   }
