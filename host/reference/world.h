@@ -35,7 +35,7 @@ class World {
         static_cast<double>(std::ranges::count_if(weights, [](double w) { return w > 0; }));
     for (double& w : weights) {
       if (!(w > 0)) continue;
-      w = (integrator.emitter_selection != EmitterSelection::uniform ? w / total : 0) + 1 / shining;
+      w = (integrator.emitter_selection == EmitterSelection::power ? w / total : 0) + 1 / shining;
     }
     choice_ = Choice(weights);
     if (integrator.wants_light_tree()) plant_tree();
@@ -143,7 +143,7 @@ class World {
     }
     const double sky =
         environment_ == none ? 0 : std::get<Environment<Real>>(lights_[environment_]).irradiance();
-    if (sources.empty() || sources.size() + (sky > 0 ? 1 : 0) < 2) return;
+    if (sources.size() < 2) return;
     tree_ = LightChooser(sources, weights);
     sky_ = static_cast<Real>(sky / tree_.energy());
   }
@@ -155,7 +155,7 @@ class World {
     const Real others = tree_.importance(at);
     if (!(others > 0)) return 1;
     const double share = share_of_first(sky_, probe.nudged(others), DecisionKind::light, 0, probe);
-    return static_cast<Real>(std::clamp(share, 0.125, 0.875));
+    return static_cast<Real>(std::clamp(share, 0.25, 0.75));
   }
 
   template <typename Probe>

@@ -94,7 +94,7 @@ float light_probability(uint leaf, Receiver at) {
 float environment_share(Receiver at) {
   float own = frame.environment_irradiance;
   float others = light_importance(fetch_light_node(0u), at);
-  float share = own > 0.0 ? min(max(first_share(own, others), 0.125), 0.875) : 0.0;
+  float share = own > 0.0 ? min(max(first_share(own, others), 0.25), 0.75) : 0.0;
   return own > 0.0 && others == 0.0 ? 1.0 : share;
 }
 

@@ -22,7 +22,7 @@ void select_emitters(std::vector<double>& weights, EmitterSelection selection) {
     total += power;
     if (power > 0) ++positive;
   }
-  const bool by_power = selection != EmitterSelection::uniform;
+  const bool by_power = selection == EmitterSelection::power;
   for (double& weight : weights) {
     if (weight > 0) weight = (by_power ? weight / total : 0) + 1 / positive;
   }
@@ -42,9 +42,8 @@ class Maker {
   EmitterTable make() {
     std::vector<double> powers;
     for (std::uint32_t e = 0; e < scene_.emitters.size(); ++e) powers.push_back(add_emitter(e));
-    choose_by_power(powers);
-    const std::size_t choices = sources_.size() + (sky_luminance_ > 0 ? 1 : 0);
-    if (wants_tree_ && !sources_.empty() && choices > 1) plant_tree();
+    choose_emitters(powers);
+    if (wants_tree_ && sources_.size() > 1) plant_tree();
     return std::move(table_);
   }
 
@@ -144,7 +143,7 @@ class Maker {
     }
   }
 
-  void choose_by_power(std::vector<double>& weights) {
+  void choose_emitters(std::vector<double>& weights) {
     select_emitters(weights, selection_);
     const std::vector<std::uint32_t> counts = cumulative_counts(weights);
     for (std::size_t i = 0; i < counts.size(); ++i) {
