@@ -26,12 +26,15 @@ bool some_rough_bsdf(const Scene& scene, const Condition& condition) {
   });
 }
 
-/// Triangles that emit and other emitters.
+/// Triangles that emit, two that are alone counting as one, and point lights: what a light tree
+/// chooses among.
 std::size_t emitting_pieces(const Scene& scene) {
   std::size_t count = 0;
   for (const Emitter& emitter : scene.emitters) {
     const auto* area = std::get_if<AreaEmitter>(&emitter);
-    count += area != nullptr ? scene.meshes[area->mesh].position_indices.size() : 1;
+    const std::size_t triangles =
+        area != nullptr ? scene.meshes[area->mesh].position_indices.size() : 0;
+    count += triangles == 2 || std::holds_alternative<PointLight>(emitter) ? 1 : triangles;
   }
   return count;
 }
@@ -168,13 +171,19 @@ class ChoiceList {
 
   void add_emitter_selection() {
     const IntegratorType& type = now_.integrator.type;
-    if (!type.emitter_sampling || type.every_emitter || emitting_pieces(scene_) < 2) return;
-    const EmitterSelection now = now_.integrator.emitter_selection;
+    if (!type.emitter_sampling || type.every_emitter) return;
+    // What a word comes to: power tells emitters apart, not the triangles of one, and without a
+    // tree to walk each emitter is as good.
+    const auto meant = [&](EmitterSelection selection) {
+      if (selection == EmitterSelection::power && scene_.emitters.size() < 2)
+        return EmitterSelection::uniform;
+      if (selection == EmitterSelection::contribution && emitting_pieces(scene_) < 2)
+        return EmitterSelection::uniform;
+      return selection;
+    };
+    std::set<EmitterSelection> listed{meant(now_.integrator.emitter_selection)};
     for (const auto& word : emitter_selection_words) {
-      // Power tells emitters apart, not the triangles of one.
-      const bool means_nothing =
-          word.value == EmitterSelection::uniform && scene_.emitters.size() < 2;
-      if (word.value == now || means_nothing) continue;
+      if (!listed.insert(meant(word.value)).second) continue;
       add("emitter-selection",
           [value = word.value](Plan& p) { p.request.emitter_selection = value; });
     }

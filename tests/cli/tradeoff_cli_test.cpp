@@ -43,7 +43,7 @@ TEST_F(TradeoffCliTest, EveryChoiceHasItsPoints) {
   const auto report = tradeoff({"scene.xml"});
   for (const char* name :
        {"default", "sobol", "adaptive", "direct_ems", "direct_mats", "heuristic power",
-        "emitter-selection power", "backend reference", "backend reference, precision double"})
+        "area-sampling solidangle", "backend reference", "backend reference, precision double"})
     EXPECT_TRUE(names_of(report["points"]).contains(name)) << name;
   EXPECT_EQ(report["scene"], "scene.xml");
   EXPECT_GE(report["seeds"], 4);
@@ -145,11 +145,10 @@ TEST_F(TradeoffCliTest, AllCombinationsAreMeasuredWhereAskedFor) {
   write_scene("black.xml", floor() + light());
   const auto names = names_of(
       tradeoff({"black.xml", "--integrator", "direct_ems", "--exhaustive"}, "1")["points"]);
-  // By direct_mats: samplers. By direct_ems: the same, how a triangle is chosen and a point of it,
-  // from one candidate or four. By direct_mis: heuristics as well. Adaptive sampling needs 16
-  // samples.
-  EXPECT_EQ(names.size(), 2U + 2 * 2 * 2 * 2 + 2 * 2 * 2 * 2 * 2 + 2) << "and two precisions";
-  EXPECT_TRUE(names.contains("direct_mis, heuristic power, emitter-selection power, sobol"));
+  // By direct_mats: samplers. By direct_ems: the same, how a point of the lamp is chosen, from one
+  // candidate or four. By direct_mis: heuristics as well. Adaptive sampling needs 16 samples.
+  EXPECT_EQ(names.size(), 2U + 2 * 2 * 2 + 2 * 2 * 2 * 2 + 2) << "and two precisions";
+  EXPECT_TRUE(names.contains("direct_mis, heuristic power, area-sampling solidangle, sobol"));
 }
 
 TEST_F(TradeoffCliTest, PageShowsEveryPointAndEveryImage) {

@@ -46,18 +46,23 @@ TEST(TradeoffChoices, AreWhatTheSceneHasAUseFor) {
             (Names{"adaptive", "area-sampling solidangle", "direct_ems", "direct_mats",
                    "direct_whitted", "emitter-candidates 4", "emitter-selection power",
                    "emitter-selection uniform", "heuristic power", "sampling ndf", "sobol"}));
-  // Of one lamp only the triangle can be chosen, and every emitter is sampled anyway.
+  // One lamp of two triangles is sampled as one, and every emitter is sampled anyway.
   EXPECT_EQ(names_around(floor_under(1, "direct_mis"), {}),
             (Names{"adaptive", "area-sampling solidangle", "direct_ems", "direct_mats",
-                   "emitter-candidates 4", "emitter-selection power", "heuristic power",
-                   "sampling ndf", "sobol"}));
+                   "emitter-candidates 4", "heuristic power", "sampling ndf", "sobol"}));
+  // Beside a sky it gets half of the samples, or its share of the power.
+  Scene under_sky = floor_under(1, "direct_ems");
+  under_sky.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(1)}});
+  EXPECT_EQ(names_around(under_sky, {}),
+            (Names{"adaptive", "area-sampling solidangle", "direct_mats", "direct_mis",
+                   "direct_whitted", "emitter-candidates 4", "emitter-selection power", "sobol"}));
   // Sampling emitters alone, direct light needs no lobe; nothing is weighted.
   EXPECT_EQ(names_around(floor_under(1, "direct_ems"), {}),
             (Names{"adaptive", "area-sampling solidangle", "direct_mats", "direct_mis",
-                   "emitter-candidates 4", "emitter-selection power", "sobol"}));
+                   "emitter-candidates 4", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "path_ems", bsdf::Diffuse{}), {}),
-            (Names{"adaptive", "area-sampling solidangle", "emitter-candidates 4",
-                   "emitter-selection power", "path", "path_mats", "sobol"}));
+            (Names{"adaptive", "area-sampling solidangle", "emitter-candidates 4", "path",
+                   "path_mats", "sobol"}));
   EXPECT_EQ(names_around(floor_under(1, "ao"), {}), (Names{"adaptive", "sobol"}));
   // The error of a pixel is that of sobol, whichever of them the scene takes.
   Scene ordered = floor_under(1, "ao");

@@ -17,21 +17,19 @@ class SeenTriangle {
         a_((v0 - from) / distances_.x),
         b_((v1 - from) / distances_.y),
         c_((v2 - from) / distances_.z),
-        area_(glm::length(glm::cross(v1 - v0, v2 - v0)) / 2),
         cosine_ab_(glm::dot(a_, b_)),
         cosine_bc_(glm::dot(b_, c_)),
         cosine_ca_(glm::dot(c_, a_)) {
-    // The pyramid of the point and the triangle, by its height; that of the unit directions is
+    // Of the parallelepiped that the vertices span, by its height; that of the unit directions is
     // smaller by the product of the distances.
+    const Real twice_area = glm::length(glm::cross(v1 - v0, v2 - v0));
     const Real height = std::abs(glm::dot(normal, v0 - from));
-    volume_ = height * 2 * area_ / (distances_.x * distances_.y * distances_.z);
+    volume_ = height * twice_area / (distances_.x * distances_.y * distances_.z);
     solid_angle_ = 2 * std::atan2(volume_, 1 + cosine_ab_ + cosine_bc_ + cosine_ca_);
   }
 
   /// sr; NaN where the point is a vertex.
   [[nodiscard]] Real solid_angle() const { return solid_angle_; }
-  /// Of the triangle itself, m^2.
-  [[nodiscard]] Real area() const { return area_; }
 
   /// Barycentric weights of a point: u is the share of the solid angle between the edge ab and the
   /// arc from b through the point, v decides where on that arc it lies.
@@ -51,7 +49,7 @@ class SeenTriangle {
     const Vec3<Real> apart = of_a * a_ + of_c * c_ - b_;
     const Real less_at_end = glm::dot(apart, apart) / 2;
     const Real less = v * less_at_end;
-    const Real of_end = std::sqrt(less * (2 - less) / (less_at_end * (2 - less_at_end)));
+    const Real of_end = std::sqrt(v * (2 - less) / (2 - less_at_end));
     const Real of_b = std::max(1 - less - (1 - less_at_end) * of_end, Real(0));
     const Vec3<Real> weights = Vec3<Real>(of_end * of_a, of_b, of_end * of_c) / distances_;
     return weights / (weights.x + weights.y + weights.z);
@@ -62,7 +60,6 @@ class SeenTriangle {
   Vec3<Real> a_;  ///< unit directions to the vertices
   Vec3<Real> b_;
   Vec3<Real> c_;
-  Real area_;
   Real cosine_ab_;
   Real cosine_bc_;
   Real cosine_ca_;

@@ -4,9 +4,9 @@
 
 namespace facet::reference {
 
-/// Probability of the first of two by weights that are not both 0: that of the lesser
-/// one has seven significant bits and is at least 2^-17, if it is not 0. item: of the decision how
-/// it is rounded.
+/// Probability of the first of two by weights that are not both 0: that of the lesser one has seven
+/// significant bits and is at least 2^-17, if it is not 0. kind, item: of the decision how it is
+/// rounded.
 template <typename Real, typename Probe>
 [[nodiscard]] double share_of_first(Real first, Real second, DecisionKind kind, std::uint64_t item,
                                     Probe& probe) {
