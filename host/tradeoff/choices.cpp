@@ -332,7 +332,7 @@ std::string name_of(const Scene& scene, const Plan& plan, const Plan& base) {
     // These two are known by their values.
     const bool by_value = options[i] == "--integrator" || options[i] == "--sampler";
     const std::string option = options[i].substr(2);
-    names.push_back(by_value ? value : has_value ? option + ' ' + value : option);
+    names.push_back(by_value ? value : has_value ? fmt::format("{} {}", option, value) : option);
     if (has_value) ++i;
   }
   if (base.request.adaptive && !plan.request.adaptive) names.emplace_back("not adaptive");

@@ -62,7 +62,8 @@ std::vector<double> parts_of(const Vertices& v, int n) {
   std::vector<double> parts(static_cast<std::size_t>(2 * n * n), 0);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; i + j < n; ++j) {
-      const auto at = static_cast<std::size_t>(2 * (i * n + j));
+      const std::size_t at = 2 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(n) +
+                                  static_cast<std::size_t>(j));
       parts[at] = seen({corner(i, j), corner(i + 1, j), corner(i, j + 1)}).solid_angle();
       if (i + j + 1 < n)
         parts[at + 1] =
