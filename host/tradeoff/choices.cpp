@@ -42,11 +42,7 @@ std::size_t emitting_pieces(const Scene& scene) {
 /// Whether some triangle of an emitter is large enough to be sampled by solid angle from half the
 /// scene's size away.
 bool has_large_piece(const Scene& scene) {
-  Box bounds;
-  for (const Mesh& mesh : scene.meshes) {
-    for (const vec3& p : mesh.positions) bounds.add(p);
-  }
-  const double reach = glm::length(dvec3(bounds.extent())) / 2;
+  const double reach = glm::length(dvec3(scene.bounds().extent())) / 2;
   return std::ranges::any_of(scene.emitters, [&](const Emitter& emitter) {
     const auto* area = std::get_if<AreaEmitter>(&emitter);
     if (area == nullptr) return false;

@@ -44,6 +44,20 @@ TriangleName triangle_name(uint triangle) {
                       name >> NAME_INDEX_BITS);
 }
 
+/// Vertices of a triangle in order of reading, world space.
+struct Vertices {
+  vec3 v0;
+  vec3 v1;
+  vec3 v2;
+};
+
+/// names: the triangle's TriangleName.corners.
+Vertices fetch_vertices(uint triangle, uint names) {
+  Corners corners = fetch_corners(triangle >> 1u);
+  return Vertices(corner(corners, names & 3u), corner(corners, (names >> 2u) & 3u),
+                  corner(corners, names >> 4u));
+}
+
 /// A ray prepared for the tests.
 struct TraversalRay {
   vec3 origin;

@@ -18,24 +18,20 @@ struct SeenTriangle {
 };
 
 SeenTriangle see_triangle(uint triangle, vec3 from) {
-  TriangleName name = triangle_name(triangle);
-  Corners corners = fetch_corners(triangle >> 1u);
-  vec3 v0 = corner(corners, name.corners & 3u);
-  vec3 v1 = corner(corners, (name.corners >> 2u) & 3u);
-  vec3 v2 = corner(corners, name.corners >> 4u);
+  Vertices v = fetch_vertices(triangle, triangle_name(triangle).corners);
   SeenTriangle t;
-  vec3 to0 = v0 - from;
-  vec3 to1 = v1 - from;
-  vec3 to2 = v2 - from;
+  vec3 to0 = v.v0 - from;
+  vec3 to1 = v.v1 - from;
+  vec3 to2 = v.v2 - from;
   t.distances = vec3(sqrt(dot3(to0, to0)), sqrt(dot3(to1, to1)), sqrt(dot3(to2, to2)));
   t.a = to0 / t.distances.x;
   t.b = to1 / t.distances.y;
   t.c = to2 / t.distances.z;
-  vec3 twice_area = cross3(v1 - v0, v2 - v0);
+  vec3 twice_area = cross3(v.v1 - v.v0, v.v2 - v.v0);
   t.area = 0.5 * sqrt(dot3(twice_area, twice_area));
   // By the distance from the plane: the product of the directions has few digits of a small
   // triangle.
-  float height = abs(dot3(triangle_normal(v0, v1, v2), t.a));
+  float height = abs(dot3(triangle_normal(v.v0, v.v1, v.v2), t.a));
   t.volume = height * (2.0 * t.area / (t.distances.y * t.distances.z));
   float sum = 1.0 + dot3(t.a, t.b) + dot3(t.b, t.c) + dot3(t.c, t.a);
   t.solid_angle = 2.0 * atan2_accurate(t.volume, sum);

@@ -35,16 +35,13 @@ vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
 /// order of reading.
 Surface surface_at(uint triangle, float b1, float b2) {
   TriangleName name = triangle_name(triangle);
-  Corners corners = fetch_corners(triangle >> 1u);
-  vec3 v0 = corner(corners, name.corners & 3u);
-  vec3 v1 = corner(corners, (name.corners >> 2u) & 3u);
-  vec3 v2 = corner(corners, name.corners >> 4u);
+  Vertices v = fetch_vertices(triangle, name.corners);
   float b0 = (1.0 - b1) - b2;
   Surface s;
-  s.position = (b0 * v0 + b1 * v1) + b2 * v2;
-  vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
+  s.position = (b0 * v.v0 + b1 * v.v1) + b2 * v.v2;
+  vec3 largest = max(abs(v.v0), max(abs(v.v1), abs(v.v2)));
   s.magnitude = max(largest.x, max(largest.y, largest.z));
-  s.ng = triangle_normal(v0, v1, v2);
+  s.ng = triangle_normal(v.v0, v.v1, v.v2);
   s.ns = s.ng;
   s.mesh = name.mesh;
   s.index = name.index;

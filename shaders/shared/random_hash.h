@@ -76,10 +76,9 @@ FACET_FUNCTION uint spread_bits(uint x) {
   return (x | (x << 1u)) & 0x55555555u;
 }
 
-/// Place of a pixel of a square along a curve that visits each quarter of it whole before
-/// the next, each quarter's quarters likewise, and so on: Morton's, but that `turns` decides for
-/// each size of squares which two quarters make a half: those beside one another, above one
-/// another, or across.
+/// Place of a pixel of a square along a curve that visits each quarter of it whole before the next,
+/// each quarter's quarters likewise, and so on: Morton's, but that `turns` decides for each size of
+/// squares which two quarters make a half: those beside one another, above one another, or across.
 FACET_FUNCTION uint place_on_curve(uvec2 pixel, uint turns) {
   uint column = spread_bits(pixel.x);
   uint row = spread_bits(pixel.y);

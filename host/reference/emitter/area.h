@@ -141,7 +141,7 @@ class AreaLight {
       std::size_t chosen = 0;
       if (piece.is_pair) {
         const bool is_first = first_of_two.is_first(u);
-        u = first_of_two.remainder(is_first, u, fill * 747796405U + 2891336453U);
+        u = first_of_two.remainder(is_first, u, next_fill(fill));
         chosen = is_first ? 0 : 1;
       }
       const Vec3<Real> weights = triangles[chosen].point(number_of<Real>(u), number_of<Real>(v));

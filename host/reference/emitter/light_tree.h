@@ -56,7 +56,7 @@ class LightChooser {
     std::size_t n = 0;
     Real probability = 1;
     while (!tree_.nodes[n].is_leaf()) {
-      fill = fill * 747796405U + 2891336453U;
+      fill = next_fill(fill);
       const std::size_t first = tree_.nodes[n].first;
       const Split split = split_at(first, at, probe);
       if (split.is_dark) return {};

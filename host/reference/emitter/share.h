@@ -4,6 +4,12 @@
 
 namespace facet::reference {
 
+/// The fill of a choice between two by what they can send to a point, made of that of the choice
+/// before.
+[[nodiscard]] constexpr std::uint32_t next_fill(std::uint32_t fill) {
+  return fill * 747796405U + 2891336453U;
+}
+
 /// Probability of the first of two by weights that are not both 0: that of the lesser one has seven
 /// significant bits and is at least 2^-17, if it is not 0. kind, item: of the decision how it is
 /// rounded.
