@@ -12,12 +12,17 @@ namespace facet {
 
 namespace {
 
-constexpr std::size_t least_probed_pixels = 1024;
 constexpr std::size_t least_probes = 64;  ///< of a stratum
 
-/// Side of the squares with one probe each: as large as leaves a thousand of them, and up to 8.
+std::size_t pixels_of(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+/// Side of the squares with one probe each: as large as leaves a thousand of them, from 2 to 8;
+/// where that would leave too few of them, every pixel is probed.
 int probe_spacing(int width, int height) {
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t pixels = pixels_of(width, height);
+  if (pixels < 8 * least_probes) return 1;
   int side = 2;
   while (side < 8 && pixels / static_cast<std::size_t>(4 * side * side) >= 1024) side *= 2;
   return side;
@@ -77,9 +82,7 @@ OrderGains::Stratum stratum_of_pairs(std::span<const Pair> pairs) {
 
 }  // namespace
 
-bool has_probes(int width, int height) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) >= least_probed_pixels;
-}
+bool has_probes(int width, int height) { return pixels_of(width, height) >= least_probes; }
 
 std::vector<std::uint32_t> choose_probes(int width, int height, std::uint32_t seed) {
   std::vector<std::uint32_t> probes;

@@ -7,8 +7,7 @@
 
 namespace facet {
 
-/// Whether an image is large enough for some of its pixels to be probed: they would cost too much
-/// of a small one.
+/// Whether an image has pixels enough for probes to tell anything.
 [[nodiscard]] bool has_probes(int width, int height);
 
 /// The pixels that are probed, in ascending order.

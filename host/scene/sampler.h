@@ -10,8 +10,8 @@
    but one light or one lobe is sampled; the numbers of samples that are powers of two serve best.
    The variance channels are too large with it: they take the samples of a pixel for independent.
    The estimated error (error_estimate, the channel `error`) does not: it rests on second estimates
-   of some pixels, which take up to a quarter of the time for small images and a sixtieth for those
-   of 256x256 pixels and more.
+   of some pixels, which take a sixtieth of the time for images of 256x256 pixels and more, up to a
+   quarter for smaller ones and half for those of fewer than 512 pixels.
 
    `zsobol`: as sobol, and the points of neighbouring pixels complete one another, so that what is
    left of the noise is fine grain (A. G. M. Ahmed, P. Wonka, ACM TOG 39(6), 2020). The error of

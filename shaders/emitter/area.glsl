@@ -76,23 +76,39 @@ float seen_density(EmitterTriangle t, SeenTriangle seen, float share) {
   return probability * (share / seen.solid_angle);
 }
 
+/// A piece as it is seen from a point: its two triangles, or its only one as the second.
+struct SeenPiece {
+  SeenTriangle first;
+  SeenTriangle second;
+  float first_share;        // of the choice between the two
+  bool is_sampled_as_seen;  // or by area
+};
+
+/// first is read of two triangles alone.
+SeenPiece see_piece(EmitterTriangle first, EmitterTriangle second, vec3 from) {
+  bool two = is_one_of_two(second);
+  SeenPiece piece;
+  piece.second = see_triangle(second.triangle, from);
+  piece.first = see_triangle(two ? first.triangle : second.triangle, from);
+  float of_first = two ? piece.first.solid_angle : 0.0;
+  piece.first_share = first_share(of_first, piece.second.solid_angle);
+  piece.is_sampled_as_seen = is_sampled_as_seen(piece.second.solid_angle + of_first);
+  return piece;
+}
+
 /// The point (u, v) of a piece as it is seen from a point; `otherwise` where it is not sampled so.
 /// first is read of two triangles alone.
 TrianglePoint point_as_seen(EmitterTriangle first, EmitterTriangle second, vec3 from, uint u,
                             uint v, uint fill, TrianglePoint otherwise) {
-  SeenTriangle seen = see_triangle(second.triangle, from);
-  bool two = is_one_of_two(second);
-  SeenTriangle other = see_triangle(two ? first.triangle : second.triangle, from);
-  float others = two ? other.solid_angle : 0.0;
-  if (!is_sampled_as_seen(seen.solid_angle + others)) return otherwise;
-  float share = first_share(others, seen.solid_angle);
-  bool in_first = choose_first(u, share, fill * LIGHT_FILL_FACTOR + LIGHT_FILL_STEP);
+  SeenPiece piece = see_piece(first, second, from);
+  if (!piece.is_sampled_as_seen) return otherwise;
+  bool in_first = choose_first(u, piece.first_share, fill * LIGHT_FILL_FACTOR + LIGHT_FILL_STEP);
   vec2 square = vec2(unit_float(u), unit_float(v));
   if (in_first)
-    return TrianglePoint(first.triangle, seen_point(other, square),
-                         seen_density(first, other, share), true);
-  return TrianglePoint(second.triangle, seen_point(seen, square),
-                       seen_density(second, seen, 1.0 - share), true);
+    return TrianglePoint(first.triangle, seen_point(piece.first, square),
+                         seen_density(first, piece.first, piece.first_share), true);
+  return TrianglePoint(second.triangle, seen_point(piece.second, square),
+                       seen_density(second, piece.second, 1.0 - piece.first_share), true);
 }
 
 /// A point of some emitter triangles for a surface at `from`; u, v: words, fill: that of u.
@@ -117,16 +133,12 @@ float found_area_pdf(uint i, Surface s, vec3 d, float distance, vec3 from) {
   EmitterTriangle t = fetch_emitter_triangle(i);
   float by_area = area_pdf(t.density, s, d, distance);
   if (!SOLID_ANGLE) return by_area;
-  SeenTriangle seen = see_triangle(t.triangle, from);
-  bool two = is_one_of_two(t);
-  bool is_first = two && (t.corner & FIRST_OF_TWO) != 0u;
-  uint mate = two ? (is_first ? i + 1u : i - 1u) : i;
-  SeenTriangle other = see_triangle(fetch_emitter_triangle(mate).triangle, from);
-  float others = two ? other.solid_angle : 0.0;
-  if (!is_sampled_as_seen(seen.solid_angle + others)) return by_area;
-  float share = is_first ? first_share(seen.solid_angle, others)
-                         : 1.0 - first_share(others, seen.solid_angle);
-  return seen_density(t, seen, share);
+  bool is_first = is_one_of_two(t) && (t.corner & FIRST_OF_TWO) != 0u;
+  EmitterTriangle mate = fetch_emitter_triangle(is_first ? i + 1u : max(i, 1u) - 1u);
+  SeenPiece piece = is_first ? see_piece(t, mate, from) : see_piece(mate, t, from);
+  if (!piece.is_sampled_as_seen) return by_area;
+  return is_first ? seen_density(t, piece.first, piece.first_share)
+                  : seen_density(t, piece.second, 1.0 - piece.first_share);
 }
 
 /// A direction to one of the emitter triangles [first, first + count). e: their emitter, where

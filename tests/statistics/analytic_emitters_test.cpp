@@ -43,6 +43,32 @@ TEST(PointLight, is_seen_however_large_the_scene_is) {
   expect_radiance(scene, "path_mis", 16384, dvec3(0.5 + 0.5 / std::numbers::pi * 1000 / 9));
 }
 
+/// Variance of a sample over the square of its mean: of a floor under an even sky and two lamps in
+/// equal distance, where one emitter is sampled.
+double relative_variance_under(float sky, float lamps) {
+  Scene scene = make_scene("direct_ems");
+  add_mesh(scene, make_quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}),
+           bsdf::Diffuse{Color(0.5F)});
+  scene.emitters.emplace_back(EnvironmentEmitter{1, 1, {Color(sky)}});
+  for (const float x : {-2.0F, 2.0F})
+    scene.emitters.emplace_back(PointLight{vec3(x, 3, 0), Color(lamps)});
+  set_camera(scene, 16, 0.001, {0, 2, -2}, {0, 0, 0});
+  constexpr int spp = 1024;
+  const Image image = render(scene, spp).image;
+  const Mean mean = mean_of(image, 0);
+  const double samples = 16.0 * 16.0 * spp;
+  return samples * mean.error * mean.error / (mean.value * mean.value);
+}
+
+/// However bright the one is and however dark the other, a quarter of the samples goes to each. Of
+/// the sky, whose directions are evenly distributed, the square of a sample that gets all of them
+/// is 8/3 of that of its mean on average.
+TEST(EmitterSelection, keeps_a_quarter_for_the_sky_and_one_for_the_lamps) {
+  // The variance's own error is 0.3 %.
+  EXPECT_NEAR(relative_variance_under(1e-6F, 1), 1 / 0.75 - 1, 0.005);
+  EXPECT_NEAR(relative_variance_under(1, 1e-6F), 8.0 / 3 / 0.75 - 1, 0.03);
+}
+
 /// Irradiance per unit albedo/pi of a floor under the environment of one bright texel, integrated
 /// over its neighbourhood.
 double irradiance_of_texel(int width, int height, int column, int row) {

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace facet::test {
 namespace {
 
 TEST(Probes, are_one_of_each_square_chosen_anew_by_each_seed) {
-  for (const auto& [width, height, spacing] : {std::tuple(32, 32, 2), std::tuple(64, 64, 2),
+  for (const auto& [width, height, spacing] : {std::tuple(32, 16, 2), std::tuple(64, 64, 2),
                                                std::tuple(128, 128, 4), std::tuple(800, 600, 8)}) {
     std::vector<int> squares(static_cast<std::size_t>(width / spacing * (height / spacing)));
     const std::vector<std::uint32_t> probes = choose_probes(width, height, 3);
@@ -38,10 +39,17 @@ TEST(Probes, every_pixel_is_chosen_as_likely) {
   EXPECT_LT(*most, 500 + 5 * 19.4);
 }
 
-TEST(Probes, small_images_have_none) {
+TEST(Probes, are_all_pixels_of_small_images) {
+  const std::vector<std::uint32_t> probes = choose_probes(73, 7, 3);
+  std::vector<std::uint32_t> all(73 * 7);
+  std::iota(all.begin(), all.end(), 0U);
+  EXPECT_EQ(probes, all);
+}
+
+TEST(Probes, tiny_images_have_none) {
   EXPECT_FALSE(has_probes(1, 1));
-  EXPECT_FALSE(has_probes(31, 33));
-  EXPECT_TRUE(has_probes(32, 32));
+  EXPECT_FALSE(has_probes(7, 9));
+  EXPECT_TRUE(has_probes(8, 8));
 }
 
 }  // namespace

@@ -100,6 +100,30 @@ TEST(Zsobol, samples_of_aligned_squares_are_nets) {
   }
 }
 
+/// How often, of many blocks, the first points of two pixels lie in different halves.
+double share_in_different_halves(shared::uvec2 a, shared::uvec2 b) {
+  constexpr std::uint32_t blocks = 4000;
+  int different = 0;
+  for (std::uint32_t block = 0; block < blocks; ++block)
+    different += static_cast<int>(cell(shared::zsobol_block(a, 0, 0, block, 5).x, 1) !=
+                                  cell(shared::zsobol_block(b, 0, 0, block, 5).x, 1));
+  return static_cast<double>(different) / blocks;
+}
+
+// The two points of a half of a square are in different halves of the unit interval, those of
+// pixels in different halves as often as not. Half of the time a half is a column of the square, a
+// quarter of the time a row, a quarter two pixels across. On a plain Morton curve it would always
+// be a row, and errors form stripes.
+TEST(Zsobol, every_pair_of_a_square_is_a_half_of_it_now_and_then) {
+  const double allowed = statistics::two_sided_normal_quantile(0.01 / 6) * 0.5 / std::sqrt(4000.0);
+  for (const std::uint32_t side : {0U, 6U}) {
+    const shared::uvec2 corner(side, side);
+    EXPECT_NEAR(share_in_different_halves(corner, corner + shared::uvec2(1, 0)), 0.625, allowed);
+    EXPECT_NEAR(share_in_different_halves(corner, corner + shared::uvec2(0, 1)), 0.75, allowed);
+    EXPECT_NEAR(share_in_different_halves(corner, corner + shared::uvec2(1, 1)), 0.625, allowed);
+  }
+}
+
 // Tiles are as large as 32 bits can count: of 2^4 samples, 2^14 pixels square.
 TEST(Zsobol, tiles_and_further_samples_have_nets_of_their_own) {
   int same_cells = 0;
