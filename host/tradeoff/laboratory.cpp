@@ -63,8 +63,9 @@ Laboratory::Laboratory(Backend& kernels, const ScenePtr& scene, const Options& o
   if (is_free) size_ = shrunk(least_pixels);
   // Later ones need not compile any more.
   const auto start = std::chrono::steady_clock::now();
-  const double rendering = render(base_, ladder_.front(), 0).record.seconds;
-  startup_seconds_ = seconds_since(start) - rendering;
+  const Film trial = render(base_, ladder_.front(), 0);
+  startup_seconds_ = seconds_since(start) - trial.record.seconds;
+  rate_ = static_cast<double>(trial.pixels.size()) * ladder_.front() / trial.record.seconds;
   if (is_free) size_ = affordable_size();
   if (options.reference.empty()) find_reference();
 }
@@ -137,18 +138,29 @@ ImageSize Laboratory::affordable_size() {
   (void)render(base_, samples_of_trial, 0);
   const Film film = render(base_, samples_of_trial, 0);
   const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
-  const double rate = samples / film.record.seconds;
-  double samples_of_round = 0;
-  for (const Candidate& candidate : first_) {
-    const std::vector<std::uint32_t> counts = ladder(candidate.plan);
-    samples_of_round += std::accumulate(counts.begin(), counts.end(), 0.0);
-  }
+  rate_ = samples / film.record.seconds;
   const double left = options_.budget - seconds_since(start_) -
                       startup_seconds_ * static_cast<double>(first_.size());
-  const double for_reference = reference_until * left * rate / (planned_reference * ladder_.back());
-  const double for_settings = (alone_until - reference_until) * left * rate /
-                              (planned_seeds * planned_slowness * samples_of_round);
+  const double for_reference =
+      reference_until * left * rate_ / (planned_reference * ladder_.back());
+  const double for_settings = (alone_until - reference_until) * left * rate_ /
+                              (planned_seeds * planned_slowness * samples_of_round());
   return shrunk(std::max<double>(least_pixels, std::min(for_reference, for_settings)));
+}
+
+double Laboratory::samples_of_round() const {
+  double samples = 0;
+  for (const Candidate& candidate : first_) {
+    const std::vector<std::uint32_t> counts = ladder(candidate.plan);
+    samples += std::accumulate(counts.begin(), counts.end(), 0.0);
+  }
+  return samples;
+}
+
+double Laboratory::expected_seconds(std::uint32_t rounds) const {
+  const double samples = static_cast<double>(size_.width) * size_.height * samples_of_round();
+  return startup_seconds_ * static_cast<double>(first_.size()) +
+         rounds * planned_slowness * samples / rate_;
 }
 
 ImageSize Laboratory::shrunk(double pixels) const {

@@ -39,6 +39,8 @@ class Laboratory {
   /// Rays that were stopped by the safety bound of traversal: images are wrong there.
   [[nodiscard]] std::uint64_t bound_hits() const { return bound_hits_; }
 
+  /// Seconds that so many rounds of first() are expected to take.
+  [[nodiscard]] double expected_seconds(std::uint32_t rounds) const;
   /// Seconds of the budget that are left until a share of it is spent.
   [[nodiscard]] double seconds_until(double share) const;
   /// What is being done, from now on; may throw Interrupted.
@@ -51,6 +53,8 @@ class Laboratory {
   [[nodiscard]] Backend& backend_of(const Plan& plan);
   [[nodiscard]] ImageSize shrunk(double pixels) const;
   [[nodiscard]] ImageSize affordable_size();
+  /// Of all of first(), a pixel.
+  [[nodiscard]] double samples_of_round() const;
   void take_reference();
   void find_reference();
   [[nodiscard]] bool go_on() const;
@@ -70,6 +74,7 @@ class Laboratory {
   ImageSize size_;
   Reference reference_;
   double startup_seconds_ = 0;
+  double rate_ = 0;  ///< samples of the base a second
   std::uint64_t bound_hits_ = 0;
 };
 

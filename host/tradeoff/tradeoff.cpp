@@ -102,6 +102,10 @@ class Study {
   void measure_first() {
     std::vector<Trial> trials = new_trials(laboratory_.first());
     const double until = options_.exhaustive ? climbing_until : alone_until;
+    const double expected = laboratory_.expected_seconds(least_seeds);
+    if (expected > laboratory_.seconds_until(1))
+      laboratory_.tell(fmt::format("{} settings take about {:.0f} s, beyond the budget",
+                                   trials.size(), expected));
     double round_seconds = 0;
     try {
       while (seeds_ < least_seeds || laboratory_.seconds_until(until) > round_seconds) {
