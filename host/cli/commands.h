@@ -12,6 +12,7 @@ void add_tradeoff_command(CommandLine& line);
 void add_parity_command(CommandLine& line);
 void add_merge_command(CommandLine& line);
 void add_test_command(CommandLine& line);
+void add_extremes_command(CommandLine& line);
 void add_info_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
 void add_devices_command(CommandLine& line);

@@ -22,7 +22,7 @@ namespace {
 const std::chrono::steady_clock::time_point process_start = std::chrono::steady_clock::now();
 
 /// Commands of the contract that are still to come.
-const std::vector<std::string> planned_commands{"extremes"};
+const std::vector<std::string> planned_commands{"farm-plan"};
 
 /// "facet 0.1.0 (...), needs Vulkan 1.1"
 std::string version_text() {
@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   add_tradeoff_command(line);
   add_parity_command(line);
   add_test_command(line);
+  add_extremes_command(line);
   add_info_command(line);
   add_devices_command(line);
   return with_output_written(static_cast<int>(line.run(argc, argv, planned_commands)));

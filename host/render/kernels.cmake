@@ -5,8 +5,8 @@ find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 set(FACET_KERNELS bounce schedule film camera closest any)
-# They see no geometry, and read one BSDF from a storage buffer.
-set(FACET_EVALUATION_KERNELS evaluate sample)
+# They see no geometry, and read one BSDF from a storage buffer, or nothing at all.
+set(FACET_EVALUATION_KERNELS evaluate sample arithmetic functions)
 set(FACET_KERNEL_DIR ${PROJECT_BINARY_DIR}/kernels)
 file(MAKE_DIRECTORY ${FACET_KERNEL_DIR})
 

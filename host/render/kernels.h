@@ -5,9 +5,21 @@
 
 namespace facet {
 
-/// Those that render; that trace given rays; that evaluate one BSDF alone.
-enum class Kernel { bounce, schedule, film, camera, closest, any, evaluate, sample };
-inline constexpr int kernel_count = 8;
+/// Those that render; that trace given rays; that evaluate one BSDF alone; that compute with given
+/// numbers.
+enum class Kernel {
+  bounce,
+  schedule,
+  film,
+  camera,
+  closest,
+  any,
+  evaluate,
+  sample,
+  arithmetic,
+  functions
+};
+inline constexpr int kernel_count = 10;
 
 /// How geometry and records are read: the kernels' one build variant.
 enum class GeometryFetch { texel_buffer, storage_buffer };

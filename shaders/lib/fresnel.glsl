@@ -12,15 +12,17 @@ vec3 fresnel_schlick(vec3 r0, float c) {
 
 /// Unpolarised reflectance of a conductor of complex index eta + i k (over that of the other side),
 /// per channel; c: cosine of the angle of incidence. M. Born, E. Wolf, "Principles of Optics",
-/// section 13.4.
+/// section 13.4, with the numerator of the first amplitude written in the difference of the
+/// indices, so that nothing cancels where they are nearly equal.
 vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   float cos2 = min(c * c, 1.0);
   float sin2 = max((1.0 - c) * (1.0 + c), 0.0);
-  vec3 eta2 = eta * eta;
+  vec3 less = eta - vec3(1.0);
+  vec3 more = eta + vec3(1.0);
   vec3 k2 = k * k;
   // (a + i b)^2 = (eta + i k)^2 - sin^2; both forms of a^2 are sums where nothing cancels.
-  vec3 t = eta2 - k2 - vec3(sin2);
-  vec3 ek2 = eta2 * k2;
+  vec3 t = (less * more - k2) + vec3(cos2);
+  vec3 ek2 = (eta * eta) * k2;
   vec3 length2 = sqrt(t * t + 4.0 * ek2);
   vec3 with_t = length2 + abs(t);
   vec3 larger = 0.5 * with_t;
@@ -28,8 +30,9 @@ vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   vec3 a2 = vec3(t.x >= 0.0 ? larger.x : smaller.x, t.y >= 0.0 ? larger.y : smaller.y,
                  t.z >= 0.0 ? larger.z : smaller.z);
   vec3 ac = 2.0 * sqrt(a2) * c;
-  vec3 sum = length2 + vec3(cos2);
-  vec3 rs = (sum - ac) / (sum + ac);
+  // 0 only where the indices are equal and the angle is grazing.
+  vec3 sum = max((length2 + vec3(cos2)) + ac, vec3(1.0e-30));
+  vec3 rs = ((less * less + k2) / sum) * ((more * more + k2) / sum);
   vec3 product = length2 * cos2 + vec3(sin2 * sin2);
   vec3 rp = (product - ac * sin2) / (product + ac * sin2);
   return 0.5 * rs * (vec3(1.0) + rp);

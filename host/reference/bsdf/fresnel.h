@@ -37,12 +37,13 @@ template <typename Real, typename Probe>
 
 /// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's
 /// amplitudes: with q = sqrt(n^2 - s^2) they are (1 - n^2)/(c + q)^2 and that times (c q - s^2)/(c
-/// q + s^2), s^2 = 1 - c^2.
+/// q + s^2), s^2 = 1 - c^2. 0 where the indices are equal.
 template <typename Real>
 [[nodiscard]] Real conductor_reflectance(Real eta, Real k, Real c) {
   using Complex = std::complex<Real>;
   const Real s2 = std::max((1 - c) * (1 + c), Real(0));
   const Complex excess((eta - 1) * (eta + 1) - k * k, 2 * eta * k);  // n^2 - 1
+  if (excess == Complex(0)) return 0;
   const Complex q = std::sqrt(excess + c * c);
   const Real perpendicular = std::norm(excess) / (std::norm(c + q) * std::norm(c + q));
   const Real ratio = std::norm(c * q - s2) / std::norm(c * q + s2);

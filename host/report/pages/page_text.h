@@ -10,6 +10,8 @@ extern const std::string_view compare_html;
 extern const std::string_view compare_css;
 extern const std::string_view compare_js;
 extern const std::string_view draw_js;
+extern const std::string_view extremes_html;
+extern const std::string_view extremes_js;
 extern const std::string_view frame_html;
 extern const std::string_view images_js;
 extern const std::string_view page_css;

@@ -1,0 +1,85 @@
+"""Writes the page of the extremes from what `facet extremes --json` found, on one driver or on several.
+
+    facet extremes --json a.json
+    python3 extremes.py a.json [b.json ...] > extremes.md
+"""
+
+import json
+import sys
+
+INTRODUCTION = """# Numbers at the edge
+
+Each row says what is measured, over which inputs, and the largest deviation found with the input that
+made it. A row *holds* where that stays within its limit. `facet extremes` measures this table on any
+device (`--quick`: a sample of it), `tests/extremes` hold it in every run of the tests, and
+`docs/reference/extremes.py` wrote this page from its JSON.
+
+The **premise** is what images that are the same in every bit rest on: every operation rounded by itself,
+as IEEE 754 says, denormal numbers kept, in the order in which it is written. Of one operand all 2³² words
+are tried; of two or three a billion, half of which are of any kind and size, the others near powers of
+two, denormal, infinite, NaN, 0, the largest, or such that sums cancel (`shaders/shared/extreme_inputs.h`).
+**Elementary functions** are compared with double, and the worst input with 160 bits; an *ulp* is the
+distance of neighbouring floats at the true value. **BSDFs** are compared with their definitions in 160
+bits (`host/extremes/bsdf_models.cpp`), which take the directions as they are, rounded to float. Three
+things are no error of a function, and its row says where they are taken off: where Beckmann's exponent
+exceeds ten, an error grows with it; beside the critical angle reflectance has an infinite slope, and an ulp
+of the cosine changes it by any factor; a sample's direction is rounded before its density is asked again,
+and a lobe may be narrower than that.
+"""
+
+
+def number(value):
+    if value is None:
+        return "not finite"
+    return f"{value:.3g}" if value else "0"
+
+
+def count(value):
+    for size, name in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
+        if value >= size:
+            return f"{value / size:.3g} {name}"
+    return str(value)
+
+
+def verdict(row):
+    if row["holds"]:
+        return "holds"
+    return "argued" if row["argued"] else "**fails**"
+
+
+def escaped(text):
+    return text.replace("|", "\\|")
+
+
+def main():
+    tables = [json.load(open(name)) for name in sys.argv[1:]]
+    print(INTRODUCTION)
+    for table in tables:
+        inputs = "a sample of the inputs" if table["quick"] else "all inputs"
+        print(f"- facet {table['version']}, {table['device']}, {table['driver']}: {inputs}")
+    groups = list(dict.fromkeys(row["group"] for table in tables for row in table["rows"]))
+    for group in groups:
+        print(f"\n## {group[0].upper() + group[1:]}\n")
+        several = len(tables) > 1
+        print("| row | inputs | " + ("driver | " if several else "") +
+              "how many | worst | limit | unit | | worst input |")
+        print("|---|---|" + ("---|" if several else "") + "---|---|---|---|---|---|")
+        names = list(dict.fromkeys(row["name"] for table in tables for row in table["rows"]
+                                   if row["group"] == group))
+        for name in names:
+            for k, table in enumerate(tables):
+                for row in table["rows"]:
+                    if row["name"] != name:
+                        continue
+                    driver = f"{table['driver'].split('(')[0].strip()} | " if several else ""
+                    first = k == 0
+                    print(f"| {escaped(name) if first else ''} | {escaped(row['range']) if first else ''} | "
+                          f"{driver}{count(row['inputs'])} | {number(row['worst'])} | "
+                          f"{number(row['limit'])} | {row['unit']} | {verdict(row)} | {escaped(row['at'])} |")
+    notes = {row["argued"] for table in tables for row in table["rows"] if row["argued"]}
+    for note in sorted(notes):
+        print(f"\n{note}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,95 @@
+// facet extremes: numbers at the edge.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/backend_options.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "core/print.h"
+#include "core/text_file.h"
+#include "extremes/extremes.h"
+#include "image/files.h"
+#include "report/extremes_report.h"
+
+namespace facet::cli {
+
+namespace {
+
+struct ExtremesOptions {
+  std::string device;
+  std::vector<std::string> only;
+  std::string json;
+  std::string html;
+  bool quick = false;
+  bool validate = false;
+};
+
+/// The checks whose group or name has one of these words in it; all without any.
+std::vector<extremes::Check> chosen(const std::vector<std::string>& words) {
+  std::vector<extremes::Check> checks = extremes::all_checks();
+  if (words.empty()) return checks;
+  std::erase_if(checks, [&](const extremes::Check& check) {
+    return std::ranges::none_of(words, [&](const std::string& word) {
+      return check.name.find(word) != std::string::npos ||
+             check.group.find(word) != std::string::npos;
+    });
+  });
+  if (checks.empty())
+    throw InputError(fmt::format("--only {}: no row has that in its name, nor in that of its group",
+                                 fmt::join(words, ",")));
+  return checks;
+}
+
+ExitCode run_extremes(const ExtremesOptions& o) {
+  check_outputs({}, {o.json, o.html});
+  const std::vector<extremes::Check> checks = chosen(o.only);
+  gpu::Device device(o.device, o.validate);
+  catch_interrupts();
+  const bool tells = o.json != "-";
+  if (tells) put("{}, {}\n", device.info().name, device.info().driver);
+  std::string group;
+  const extremes::Table table = extremes::measure(
+      device, checks, o.quick,
+      [](const extremes::Check& /*check*/, double /*done*/) { return !was_interrupted(); },
+      [&](const extremes::Row& row) {
+        if (!tells) return;
+        if (row.check.group != group) put("\n{}\n", row.check.group);
+        group = row.check.group;
+        put("{}", report::text_of(row));
+        std::fflush(stdout);
+      });
+  if (tells) put("\n{}", report::summary_of(table));
+  if (!o.json.empty()) write_text(o.json, report::extremes_json(table).dump(1) + '\n');
+  if (!o.html.empty()) report::write_extremes_page(o.html, table);
+  const std::vector<std::string> messages = device.validation_messages();
+  for (const std::string& message : messages) say("facet: validation: {}\n", message);
+  if (table.interrupted) return ExitCode::interrupted;
+  const bool fails = std::ranges::any_of(table.rows, &extremes::Row::fails);
+  return fails || !messages.empty() ? ExitCode::check_failed : ExitCode::done;
+}
+
+}  // namespace
+
+void add_extremes_command(CommandLine& line) {
+  const auto options = std::make_shared<ExtremesOptions>();
+  ExtremesOptions& o = *options;
+  Command command = line.add(
+      "extremes",
+      "Measure the worst cases of facet's numbers on a device: its arithmetic first, then every "
+      "function over its whole range; exits 1 where a row neither holds nor is argued");
+  add_device_option(command, o.device);
+  command.flag("--quick", o.quick,
+               "A sample of the inputs, ends of ranges included: less than two minutes instead of "
+               "up to two hours");
+  command.list("--only", o.only, "Rows whose name, or that of their group, contains one of these");
+  command.text("--html", o.html, "Write the table as a page to this file");
+  add_json_option(command, o.json);
+  command.flag("--validate", o.validate, "Run with Vulkan's validation layers");
+  command.action([options] { return run_extremes(*options); });
+}
+
+}  // namespace facet::cli

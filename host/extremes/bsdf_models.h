@@ -1,0 +1,35 @@
+#pragma once
+// The models of the BSDFs in 160 bits, written from their definitions alone.
+#include <optional>
+
+#include "extremes/bsdf_inputs.h"
+#include "extremes/exact.h"
+
+namespace facet::extremes {
+
+/// Of one pair of directions.
+struct ExactValue {
+  std::array<Exact, 3> f;  ///< sr^-1
+  /// What an error in a channel is relative to: the value, or where its reflectance is smaller than
+  /// a millionth, that of a millionth. A cosine's rounding changes (1 - c)^5 beside c = 1 by any
+  /// factor, in a value that nobody sees. Beside the critical angle, where the slope of reflectance
+  /// is infinite, 10^5 times what an ulp of the cosine changes is added.
+  std::array<Exact, 3> size;
+  /// Squared tangent of the half vector over squared roughness: the exponent of Beckmann's
+  /// distribution; 0 without a half vector.
+  double exponent = 0;
+  /// Largest relative change of a channel by an ulp of that cosine.
+  double cosine_change = 0;
+  bool refracts = false;  ///< whether the directions are on different sides
+};
+
+/// The directions are taken as they are, rounded to float as they may be; where a cosine of a
+/// microfacet follows from the length of their sum, it does here. Nothing: there is no closed form.
+[[nodiscard]] std::optional<ExactValue> exact_value(const BsdfCase& c,
+                                                    const statistics::DirectionPair& pair);
+
+/// Sum of the relative changes of the value when each component of the directions is rounded to its
+/// neighbour; infinite where the value vanishes, 0 without a closed form.
+[[nodiscard]] double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair);
+
+}  // namespace facet::extremes

@@ -1,0 +1,37 @@
+#include "extremes/extremes.h"
+
+#include "core/clock.h"
+#include "extremes/bench.h"
+
+namespace facet::extremes {
+
+std::vector<Check> all_checks() {
+  std::vector<Check> checks;
+  for (std::vector<Check>& some :
+       std::array{arithmetic_checks(), elementary_checks(), piece_checks(), bsdf_checks()})
+    checks.insert(checks.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
+  return checks;
+}
+
+Table measure(gpu::Device& device, const std::vector<Check>& checks, bool quick,
+              const Callback& callback, const std::function<void(const Row&)>& finished) {
+  Table table{device.info().name, device.info().driver, quick, false, {}};
+  const Check* current = nullptr;
+  Bench bench(device, quick, [&](double done) { return callback(*current, done); });
+  try {
+    for (const Check& check : checks) {
+      current = &check;
+      if (!callback(check, 0)) throw Interrupted();
+      const auto start = std::chrono::steady_clock::now();
+      Row row{check, check.measure(bench), 0};
+      row.seconds = seconds_since(start);
+      table.rows.push_back(std::move(row));
+      finished(table.rows.back());
+    }
+  } catch (const Interrupted&) {
+    table.interrupted = true;
+  }
+  return table;
+}
+
+}  // namespace facet::extremes

@@ -1,0 +1,73 @@
+#version 450
+// Functions of numbers, for `facet extremes`: elementary ones, and those that models are made of.
+#extension GL_GOOGLE_include_directive : require
+#include "../lib/beckmann.glsl"
+#include "../lib/choice.glsl"
+#include "../lib/fresnel.glsl"
+#include "../lib/ggx.glsl"
+#include "../lib/warp.glsl"
+#include "../shared/bindings.h"
+#include "../shared/extreme_inputs.h"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+layout(constant_id = 0) const uint FUNCTION = 0u;
+layout(push_constant) uniform Range {
+  uint first;
+  uint stride;
+  uint count;
+}
+range;
+layout(std430, binding = 0) writeonly buffer Results { uint results[]; };
+
+float elementary(uint index) {
+  float x = uintBitsToFloat(index);
+  if (FUNCTION == FUNCTION_EXP) return exp_accurate(x);
+  if (FUNCTION == FUNCTION_LOG) return log_accurate(x);
+  if (FUNCTION == FUNCTION_SINE) return sincos_turns(x).x;
+  if (FUNCTION == FUNCTION_COSINE) return sincos_turns(x).y;
+  if (FUNCTION == FUNCTION_ATAN) return atan2_accurate(x, 1.0);
+  if (FUNCTION == FUNCTION_ERFC) return erfc_accurate(x);
+  if (FUNCTION == FUNCTION_ERFINV) return erfinv_quantile(x);
+  vec2 numbers = uintBitsToFloat(edge_numbers(index).xy);
+  return atan2_accurate(numbers.x, numbers.y);
+}
+
+float of_model(uint index) {
+  vec4 n = model_numbers(index);
+  vec2 ab = n.xy;
+  vec3 w = vec3(n.x, 0.0, n.y);
+  if (FUNCTION == FUNCTION_FRESNEL_DIELECTRIC) return fresnel_dielectric(n.x, 1.0, n.w);
+  if (FUNCTION == FUNCTION_FRESNEL_SCHLICK) return fresnel_schlick(vec3(n.y), n.x).x;
+  if (FUNCTION == FUNCTION_FRESNEL_CONDUCTOR)
+    return fresnel_conductor(vec3(n.w), vec3(1000.0 * n.y * n.y), n.x).x;
+  if (FUNCTION == FUNCTION_BECKMANN_D) return beckmann_d(w, n.z);
+  if (FUNCTION == FUNCTION_GGX_D) return ggx_d(w, n.z);
+  if (FUNCTION == FUNCTION_BECKMANN_G1_RATIONAL) return beckmann_g1_rational(w, n.z);
+  if (FUNCTION == FUNCTION_BECKMANN_G1_EXACT) return beckmann_g1_exact(w, n.z);
+  if (FUNCTION == FUNCTION_GGX_G1) return ggx_g1(w, n.z);
+  if (FUNCTION == FUNCTION_VISIBLE_SLOPE) {
+    vec2 c = max(ab, vec2(1.0e-7, 2.98023224e-8));
+    return beckmann_visible_slope(sqrt((1.0 - c.x) * (1.0 + c.x)), c.x, c.y);
+  }
+  if (FUNCTION == FUNCTION_COSINE_HEMISPHERE_X) return square_to_cosine_hemisphere(ab).x;
+  if (FUNCTION == FUNCTION_COSINE_HEMISPHERE_Y) return square_to_cosine_hemisphere(ab).y;
+  if (FUNCTION == FUNCTION_COSINE_HEMISPHERE_Z) return square_to_cosine_hemisphere(ab).z;
+  return FUNCTION == FUNCTION_TRIANGLE_U ? square_to_triangle(ab).x : square_to_triangle(ab).y;
+}
+
+uint of_words(uint index) {
+  uvec4 q = wide_quotient(index);
+  return divide_wide(q.x, q.y, q.z);
+}
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= range.count) return;
+  uint index = range.first + i * range.stride;
+  if (FUNCTION == FUNCTION_QUOTIENT) {
+    results[i] = of_words(index);
+  } else {
+    float y = FUNCTION < FUNCTION_FRESNEL_DIELECTRIC ? elementary(index) : of_model(index);
+    results[i] = floatBitsToUint(y);
+  }
+}
