@@ -47,13 +47,13 @@ std::vector<extremes::Check> chosen(const std::vector<std::string>& words) {
 ExitCode run_extremes(const ExtremesOptions& o) {
   check_outputs({}, {o.json, o.html});
   const std::vector<extremes::Check> checks = chosen(o.only);
-  gpu::Device device(o.device, o.validate);
+  KernelBackend backend(o.device, o.validate);
   catch_interrupts();
   const bool tells = o.json != "-";
-  if (tells) put("{}, {}\n", device.info().name, device.info().driver);
+  if (tells) put("{}, {}\n", backend.name(), backend.driver());
   std::string group;
   const extremes::Table table = extremes::measure(
-      device, checks, o.quick,
+      backend, checks, o.quick,
       [](const extremes::Check& /*check*/, double /*done*/) { return !was_interrupted(); },
       [&](const extremes::Row& row) {
         if (!tells) return;
@@ -65,7 +65,7 @@ ExitCode run_extremes(const ExtremesOptions& o) {
   if (tells) put("\n{}", report::summary_of(table));
   if (!o.json.empty()) write_text(o.json, report::extremes_json(table).dump(1) + '\n');
   if (!o.html.empty()) report::write_extremes_page(o.html, table);
-  const std::vector<std::string> messages = device.validation_messages();
+  const std::vector<std::string> messages = backend.validation_messages();
   for (const std::string& message : messages) say("facet: validation: {}\n", message);
   if (table.interrupted) return ExitCode::interrupted;
   const bool fails = std::ranges::any_of(table.rows, &extremes::Row::fails);

@@ -14,7 +14,10 @@ namespace {
 
 constexpr const char* memory_place = "(scene in memory)";
 
-std::string numbers(const auto& values) { return fmt::format("{}", fmt::join(values, ", ")); }
+/// As doubles, which the scene language's are: the shortest text of a float is another number.
+std::string numbers(const auto& values) {
+  return fmt::format("{}", fmt::join(std::vector<double>(values.begin(), values.end()), ", "));
+}
 
 std::vector<double> elements(const Matrix4& m) {
   std::vector<double> list;

@@ -53,12 +53,12 @@ void Worst::add(const Worst& other) {
   }
 }
 
-Bench::Bench(gpu::Device& device, bool quick, std::function<bool(double)> callback)
-    : device_(device),
+Bench::Bench(KernelBackend& backend, bool quick, std::function<bool(double)> callback)
+    : backend_(backend),
       quick_(quick),
       callback_(std::move(callback)),
-      results_(device, std::uint64_t{words_of_run} * sizeof(std::uint32_t), "results"),
-      program_(device, {{0, gpu::Access::storage}}, sizeof(RangeConstants)),
+      results_(device(), std::uint64_t{words_of_run} * sizeof(std::uint32_t), "results"),
+      program_(device(), {{0, gpu::Access::storage}}, sizeof(RangeConstants)),
       bound_(program_.bind({{0, &results_}})) {}
 
 std::vector<Bench::Run> Bench::runs_over(std::span<const WordRange> ranges) const {
@@ -97,7 +97,7 @@ std::vector<std::uint32_t> Bench::evaluate(Kernel kernel, std::uint32_t function
                                           constants, kernel_name(kernel)))
                 .first;
   }
-  device_.run([&](gpu::Commands& c) {
+  device().run([&](gpu::Commands& c) {
     c.bind(bound_);
     c.dispatch(found->second, RangeConstants{run.first, run.stride, run.count},
                (run.count + shared::WORKGROUP_SIZE - 1) / shared::WORKGROUP_SIZE);

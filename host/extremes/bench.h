@@ -56,10 +56,11 @@ class Worst {
 
 class Bench {
  public:
-  Bench(gpu::Device& device, bool quick, std::function<bool(double)> callback);
+  Bench(KernelBackend& backend, bool quick, std::function<bool(double)> callback);
 
   [[nodiscard]] bool quick() const { return quick_; }
-  [[nodiscard]] gpu::Device& device() { return device_; }
+  [[nodiscard]] gpu::Device& device() { return backend_.device(); }
+  [[nodiscard]] KernelBackend& backend() { return backend_; }
 
   /// Deviations of what a function of a kernel makes of every word of some ranges; in a quick
   /// measurement of a sample, and of 1024 at either end. deviation(word, result): of the bits
@@ -100,7 +101,7 @@ class Bench {
   [[nodiscard]] std::vector<std::uint32_t> evaluate(Kernel kernel, std::uint32_t function,
                                                     const Run& run);
 
-  gpu::Device& device_;
+  KernelBackend& backend_;
   bool quick_;
   std::function<bool(double)> callback_;
   gpu::Buffer results_;

@@ -38,5 +38,7 @@ struct Check {
 [[nodiscard]] std::vector<Check> piece_checks();
 /// Every BSDF.
 [[nodiscard]] std::vector<Check> bsdf_checks();
+/// Whole renders.
+[[nodiscard]] std::vector<Check> scene_checks();
 
 }  // namespace facet::extremes

@@ -41,7 +41,7 @@ void add_exponentials(std::vector<Check>& checks) {
     using std::exp;
     return exp(x);
   };
-  checks.push_back(check_of(elementary_group, "exp", "all floats from -87 to 88", 1.06,
+  checks.push_back(check_of(elementary_group, "exp", "all floats from -87 to 88", 1.05,
                             of_float(FUNCTION_EXP, exponential),
                             {floats(0, 88), floats(-0.0F, -87)}));
   const auto beyond = [](auto x) {
@@ -49,7 +49,7 @@ void add_exponentials(std::vector<Check>& checks) {
     return x > 0 ? exp(decltype(x)(88)) : decltype(x)(0);
   };
   checks.push_back(check_of(elementary_group, "exp, 0 below -87 and e^88 above 88",
-                            "all floats beyond, infinite ones too", 1.06,
+                            "all floats beyond, infinite ones too", 1.05,
                             of_float(FUNCTION_EXP, beyond),
                             {floats(std::nextafter(88.0F, infinity), infinity),
                              floats(std::nextafter(-87.0F, -infinity), -infinity)}));
@@ -58,7 +58,7 @@ void add_exponentials(std::vector<Check>& checks) {
     return log(x);
   };
   checks.push_back(check_of(
-      elementary_group, "log", "all normal floats above 0", 0.84, of_float(FUNCTION_LOG, logarithm),
+      elementary_group, "log", "all normal floats above 0", 0.83, of_float(FUNCTION_LOG, logarithm),
       {floats(std::numeric_limits<float>::min(), std::numeric_limits<float>::max())}));
 }
 
@@ -71,11 +71,11 @@ void add_trigonometry(std::vector<Check>& checks) {
     using std::atan;
     return atan(x);
   };
-  checks.push_back(check_of(elementary_group, "sin(2 pi u)", "all floats from 0 to 1", 2,
+  checks.push_back(check_of(elementary_group, "sin(2 pi u)", "all floats from 0 to 1", 1.81,
                             of_float(FUNCTION_SINE, sine), {floats(0, 1)}));
-  checks.push_back(check_of(elementary_group, "cos(2 pi u)", "all floats from 0 to 1", 2,
+  checks.push_back(check_of(elementary_group, "cos(2 pi u)", "all floats from 0 to 1", 1.81,
                             of_float(FUNCTION_COSINE, cosine), {floats(0, 1)}));
-  checks.push_back(check_of(elementary_group, "atan2(y, 1)", "all finite floats", 3,
+  checks.push_back(check_of(elementary_group, "atan2(y, 1)", "all finite floats", 2.9,
                             of_float(FUNCTION_ATAN, arctangent),
                             {floats(0, std::numeric_limits<float>::max()),
                              floats(-0.0F, std::numeric_limits<float>::lowest())}));
@@ -106,7 +106,7 @@ void add_arctangent_of_two(std::vector<Check>& checks) {
     const uvec4 words = edge_numbers(index);
     return float_text(words.x) + ", " + float_text(words.y);
   };
-  checks.push_back(check_of(elementary_group, "atan2(y, x)", "pairs of finite floats at edges", 3,
+  checks.push_back(check_of(elementary_group, "atan2(y, x)", "pairs of finite floats at edges", 2.9,
                             f, {{0, 1U << 30U}}));
 }
 

@@ -7,17 +7,17 @@ namespace facet::extremes {
 
 std::vector<Check> all_checks() {
   std::vector<Check> checks;
-  for (std::vector<Check>& some :
-       std::array{arithmetic_checks(), elementary_checks(), piece_checks(), bsdf_checks()})
+  for (std::vector<Check>& some : std::array{arithmetic_checks(), elementary_checks(),
+                                             piece_checks(), bsdf_checks(), scene_checks()})
     checks.insert(checks.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
   return checks;
 }
 
-Table measure(gpu::Device& device, const std::vector<Check>& checks, bool quick,
+Table measure(KernelBackend& backend, const std::vector<Check>& checks, bool quick,
               const Callback& callback, const std::function<void(const Row&)>& finished) {
-  Table table{device.info().name, device.info().driver, quick, false, {}};
+  Table table{backend.name(), backend.driver(), quick, false, {}};
   const Check* current = nullptr;
-  Bench bench(device, quick, [&](double done) { return callback(*current, done); });
+  Bench bench(backend, quick, [&](double done) { return callback(*current, done); });
   try {
     for (const Check& check : checks) {
       current = &check;

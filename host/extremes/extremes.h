@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "extremes/check.h"
-#include "gpu/device.h"
+#include "render/kernel_backend.h"
 
 namespace facet::extremes {
 
@@ -34,9 +34,9 @@ struct Table {
 /// the measurement.
 using Callback = std::function<bool(const Check& check, double done)>;
 
-/// Measures the rows on a device, calling `finished` with each. quick: a sample of the inputs,
-/// edges included. Throws DeviceError.
-[[nodiscard]] Table measure(gpu::Device& device, const std::vector<Check>& checks, bool quick,
+/// Measures the rows on a backend's device, calling `finished` with each. quick: a sample of the
+/// inputs, edges included. Throws DeviceError.
+[[nodiscard]] Table measure(KernelBackend& backend, const std::vector<Check>& checks, bool quick,
                             const Callback& callback,
                             const std::function<void(const Row&)>& finished);
 

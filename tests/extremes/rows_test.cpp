@@ -12,7 +12,7 @@ class Extremes : public testing::TestWithParam<std::size_t> {};
 TEST_P(Extremes, holds) {
   const std::vector<extremes::Check> checks{extremes::all_checks().at(GetParam())};
   const extremes::Table table = extremes::measure(
-      device(), checks, true,
+      kernel_backend(), checks, true,
       [](const extremes::Check& /*check*/, double /*done*/) { return true; },
       [](const extremes::Row& /*row*/) {});
   ASSERT_EQ(table.rows.size(), 1U);

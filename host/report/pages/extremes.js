@@ -8,9 +8,9 @@ byId('device').textContent = data.device;
 byId('made').append(` ${data.version}, ${data.driver}${
     data.quick ? '; a sample of the inputs (--quick)' :
                  ''}${data.complete ? '' : '; interrupted: these are the rows until then'}`);
-const summary = ['holds', 'argued', 'FAILS']
-                    .map((v) => `${data.rows.filter((row) => verdict(row) === v).length} ${v}`)
-                    .join(', ');
+const counted = (v) => data.rows.filter((row) => verdict(row) === v).length;
+const summary = `${counted('holds')} of ${data.rows.length} rows hold, ${
+    counted('argued')} are argued, ${counted('FAILS')} fail`;
 byId('made').after(element('p', {id: 'summary'}, summary));
 for (const group of new Set(data.rows.map((row) => row.group))) {
   byId('sections')
