@@ -30,11 +30,7 @@ Finding finding_of(const Worst& worst, const std::string& at) {
 }
 
 Check base_check(const char* name, const char* range, const char* promise) {
-  Check check;
-  check.group = "premise";
-  check.name = name;
-  check.range = range;
-  check.unit = "wrong results";
+  Check check = make_check("premise", name, range, "wrong results", 0);
   check.promise = promise;
   return check;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/bsdf/traits.h"
 #include "scene/plugin/parameter.h"
 
 namespace facet::extremes {
@@ -74,30 +75,19 @@ class Extreme {
 };
 
 template <typename T>
-void note_roughness(const T& p, BsdfCase& c) {
-  if constexpr (requires { p.alpha.value; }) {
-    c.alpha = static_cast<double>(p.alpha.value);
-  } else if constexpr (requires { p.alpha; }) {
-    c.alpha = static_cast<double>(p.alpha);
-  }
-  if constexpr (requires { p.ext_ior; }) {
-    c.ext_ior = static_cast<double>(p.ext_ior);
-    c.int_ior = static_cast<double>(p.int_ior);
-  }
-}
-
-template <typename T>
 std::vector<BsdfCase> cases_of(T p) {
   std::vector<BsdfCase> cases;
   for (std::size_t i = 0; i < cases_of_each; ++i) {
     BsdfCase c;
     Extreme extreme(i, c.name);
     T::declare(p, extreme);
-    note_roughness(p, c);
     c.sampling = i % 2 == 0 ? LobeSampling::visible : LobeSampling::ndf;
     c.name += i % 2 == 0 ? " visible" : " ndf";
     if constexpr (requires { p.flags(); }) c.transmits = (p.flags() & shared::BSDF_TRANSMITS) != 0;
     c.bsdf = p;
+    c.alpha = static_cast<double>(roughness_of(c.bsdf));
+    c.ext_ior = index_of_side(c.bsdf, false);
+    c.int_ior = index_of_side(c.bsdf, true);
     cases.push_back(c);
   }
   return cases;

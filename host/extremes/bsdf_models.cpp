@@ -17,7 +17,7 @@ struct Vector {
   Exact x, y, z;
 
   explicit Vector(const vec3& v) : x(v.x), y(v.y), z(v.z) {}
-  Vector(const Exact& vx, const Exact& vy, const Exact& vz) : x(vx), y(vy), z(vz) {}
+  Vector(Exact vx, Exact vy, Exact vz) : x(std::move(vx)), y(std::move(vy)), z(std::move(vz)) {}
 };
 
 Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

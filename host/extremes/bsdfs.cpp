@@ -29,25 +29,6 @@ std::string text(const BsdfCase& c, const DirectionPair& p) {
   return fmt::format("{}; wo {}, wi {}", c.name, text(p.wo), text(p.wi));
 }
 
-/// The largest deviation, with the input that made it.
-class WorstPair {
- public:
-  /// deviation < 0: no input of this check; NaN counts as infinite.
-  void add(double deviation, const BsdfCase& c, const DirectionPair& pair) {
-    if (deviation < 0) return;
-    if (std::isnan(deviation)) deviation = std::numeric_limits<double>::infinity();
-    ++finding_.inputs;
-    if (deviation > finding_.worst) {
-      finding_.worst = deviation;
-      finding_.at = text(c, pair);
-    }
-  }
-  [[nodiscard]] const Finding& finding() const { return finding_; }
-
- private:
-  Finding finding_;
-};
-
 /// deviations[i] = deviation(i), by all threads.
 template <typename Deviation>
 std::vector<double> deviations_of(std::size_t count, const Deviation& deviation) {
@@ -87,13 +68,8 @@ bool is_sound(const vec3& v) {
 
 Check base_check(std::size_t id, const char* what, const char* range, const char* unit,
                  double limit) {
-  Check check;
-  check.group = "BSDFs";
-  check.name = fmt::format("{}: {}", bsdf_type_names.at(id), what);
-  check.range = range;
-  check.unit = unit;
-  check.limit = limit;
-  return check;
+  return make_check("BSDFs", fmt::format("{}: {}", bsdf_type_names.at(id), what), range, unit,
+                    limit);
 }
 
 /// How far a value may be off, over the value: beyond Beckmann's exponent of ten it grows with it.
@@ -120,7 +96,7 @@ Check value_check(std::size_t id) {
                            "its directions changes",
                            "relative error", 1e-5);
   check.measure = [id](Bench& bench) {
-    WorstPair worst;
+    Finding finding;
     for_each_batch(
         bench, id,
         [&](const BsdfCase& c, KernelBsdfEvaluator& kernels, Random& random, std::size_t count) {
@@ -134,9 +110,10 @@ Check value_check(std::size_t id) {
             if (!right->refracts || !(deviation > 1e-5)) return deviation;
             return deviation / (1 + 2e5 * change_by_rounding(c, pairs[i]));
           });
-          for (std::size_t i = 0; i < count; ++i) worst.add(deviations[i], c, pairs[i]);
+          for (std::size_t i = 0; i < count; ++i)
+            finding.add(deviations[i], [&] { return text(c, pairs[i]); });
         });
-    return worst.finding();
+    return finding;
   };
   return check;
 }
@@ -220,7 +197,7 @@ Check draw_check(std::size_t id, const char* what, const Deviation& deviation) {
       base_check(id, what, "samples at extremes; beside what rounding their direction does",
                  "relative error", 1e-5);
   check.measure = [id, deviation](Bench& bench) {
-    WorstPair worst;
+    Finding finding;
     for_each_view(bench, id,
                   [&](const BsdfCase& c, KernelBsdfEvaluator& kernels, const vec3& wo,
                       const std::vector<BsdfDraw>& draws) {
@@ -233,10 +210,10 @@ Check draw_check(std::size_t id, const char* what, const Deviation& deviation) {
                       if (d.weight == vec3(0) || d.pdf < 0) continue;
                       double off = deviation(d, values[i]) / allowed_by_rounding(c, pairs[i]);
                       if (off > 1e-5) off /= allowed_by_model(c, pairs[i]);
-                      worst.add(off, c, pairs[i]);
+                      finding.add(off, [&] { return text(c, pairs[i]); });
                     }
                   });
-    return worst.finding();
+    return finding;
   };
   return check;
 }
@@ -256,7 +233,7 @@ Check weight_check(std::size_t id) {
         double worst = 0;
         for (int k = 0; k < 3; ++k) {
           const double by_value = static_cast<double>(v.f[k]) * std::abs(d.wi.z) / v.pdf;
-          const double size = std::max<double>({d.weight[k], by_value, 1e-6});
+          const double size = std::max({static_cast<double>(d.weight[k]), by_value, 1e-6});
           worst = std::max(worst, std::abs(d.weight[k] - by_value) / size);
         }
         return worst;

@@ -1,8 +1,11 @@
 #pragma once
 // The table of extremes as data: what is checked, and what was found.
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace facet::extremes {
@@ -14,6 +17,18 @@ struct Finding {
   std::uint64_t inputs = 0;
   double worst = 0;  ///< infinite where something that must not be has been found
   std::string at;    ///< the input that made it, as one can type it in again
+
+  /// Counts an input, and keeps its deviation where it is the largest so far, with describe() of
+  /// the input. A deviation below 0 says that it is no input; NaN counts as infinite.
+  template <typename Describe>
+  void add(double deviation, const Describe& describe) {
+    if (deviation < 0) return;
+    if (std::isnan(deviation)) deviation = std::numeric_limits<double>::infinity();
+    ++inputs;
+    if (deviation <= worst) return;
+    worst = deviation;
+    at = describe();
+  }
 };
 
 /// One row of the table: over a range of inputs, something stays within a limit.
@@ -29,6 +44,18 @@ struct Check {
   std::string argued;
   std::function<Finding(Bench&)> measure;
 };
+
+/// Without a promise or an argument, and still to be told how to measure.
+[[nodiscard]] inline Check make_check(std::string group, std::string name, std::string range,
+                                      std::string unit, double limit) {
+  Check check;
+  check.group = std::move(group);
+  check.name = std::move(name);
+  check.range = std::move(range);
+  check.unit = std::move(unit);
+  check.limit = limit;
+  return check;
+}
 
 /// What + - * / and the like do on the device.
 [[nodiscard]] std::vector<Check> arithmetic_checks();

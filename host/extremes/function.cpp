@@ -35,12 +35,7 @@ double ulp_of(double value) {
 
 Check check_of(const char* group, const char* name, const char* range, double limit,
                Function function, std::vector<WordRange> ranges) {
-  Check check;
-  check.group = group;
-  check.name = name;
-  check.range = range;
-  check.unit = "ulp";
-  check.limit = limit;
+  Check check = make_check(group, name, range, "ulp", limit);
   check.measure = [function = std::move(function), ranges = std::move(ranges)](Bench& bench) {
     return measure(bench, function, ranges);
   };

@@ -221,9 +221,9 @@ double visible_cdf(double s, double c, double x) {
 }
 
 Check visible_slope_check() {
-  Check check = check_of(pieces_group, "visible slope, by its distribution",
-                         "cosine of view a from 1e-7 to 1, number b from 2^-25 to 1", 2e-6, {}, {});
-  check.unit = "error of b";
+  Check check =
+      make_check(pieces_group, "visible slope, by its distribution",
+                 "cosine of view a from 1e-7 to 1, number b from 2^-25 to 1", "error of b", 2e-6);
   check.measure = [](Bench& bench) {
     constexpr std::array all{inputs};
     const Worst worst = bench.sweep(
@@ -243,9 +243,9 @@ Check visible_slope_check() {
 
 /// What a choice leaves of its number (docs/sampling.md, "Choices").
 Check quotient_check() {
-  Check check = check_of(pieces_group, "quotient of 64 bits",
-                         "dividends up to the largest, divisors of all sizes", 0, {}, {});
-  check.unit = "wrong results";
+  Check check =
+      make_check(pieces_group, "quotient of 64 bits",
+                 "dividends up to the largest, divisors of all sizes", "wrong results", 0);
   check.measure = [](Bench& bench) {
     constexpr std::array all{inputs};
     const Worst worst = bench.sweep(

@@ -38,7 +38,7 @@ TriangleMesh placed(TriangleMesh mesh, const Variation& v) {
 
 Rgb gray(float x) { return {x, x, x}; }
 
-/// A metal pyramid on a floor under a lamp, with light from everywhere in it twice.
+/// A metal pyramid on a floor under a lamp.
 ScenePtr pyramid(const Variation& v) {
   const TriangleMesh body{.positions = {{-0.5F, 0, -0.5F},
                                         {0.5F, 0, -0.5F},
@@ -108,21 +108,7 @@ double relative_rmse(const Image& image, const Image& right) {
 }
 
 Check base_check(const char* name, const char* range, const char* unit, double limit) {
-  Check check;
-  check.group = "scenes and images";
-  check.name = name;
-  check.range = range;
-  check.unit = unit;
-  check.limit = limit;
-  return check;
-}
-
-/// Keeps the worse of two, NaN being the worst.
-void worsen(Finding& finding, double deviation, const std::string& at) {
-  ++finding.inputs;
-  if (deviation <= finding.worst) return;
-  finding.worst = std::isnan(deviation) ? not_finite : deviation;
-  finding.at = at;
+  return make_check("scenes and images", name, range, unit, limit);
 }
 
 Check radiance_check() {
@@ -140,7 +126,7 @@ Check radiance_check() {
         const double error = std::abs(a - right) / std::max(right, 1e-30);
         worst = error <= worst ? worst : error;
       });
-      worsen(finding, worst, fmt::format("radiance 1e{}", e));
+      finding.add(worst, [&] { return fmt::format("radiance 1e{}", e); });
     }
     return finding;
   };
@@ -151,7 +137,7 @@ Check radiance_check() {
 /// a size of its own.
 Check size_check() {
   Check check = base_check("size of the scene", "times 2^-20 to 2^20, against the scene itself",
-                           "pixels that differ in any bit", 0);
+                           "values that differ in any bit", 0);
   check.measure = [](Bench& bench) {
     Finding finding;
     const Image one = rendered(bench, pyramid({}));
@@ -159,7 +145,7 @@ Check size_check() {
       const Image image = rendered(bench, pyramid({.scale = std::ldexp(1.0F, e)}));
       double different = 0;
       for_each_value(image, one, [&](double a, double b) { different += a == b ? 0 : 1; });
-      worsen(finding, different, fmt::format("2^{}", e));
+      finding.add(different, [&] { return fmt::format("2^{}", e); });
     }
     return finding;
   };
@@ -174,10 +160,9 @@ Check place_check(float distance, double limit, const char* argued) {
   check.measure = [distance](Bench& bench) {
     Finding finding;
     const Vector3 offset{distance, 0.7F * distance, -0.4F * distance};
-    worsen(
-        finding,
+    finding.add(
         relative_rmse(rendered(bench, pyramid({.offset = offset})), rendered(bench, pyramid({}))),
-        fmt::format("at ({:g}, {:g}, {:g})", offset[0], offset[1], offset[2]));
+        [&] { return fmt::format("at ({:g}, {:g}, {:g})", offset[0], offset[1], offset[2]); });
     return finding;
   };
   return check;
@@ -201,7 +186,8 @@ Check frame_check(const char* name, const char* range, std::vector<Frame> frames
         const double error = std::abs(a / static_cast<double>(radiance) - 1);
         worst = error <= worst ? worst : error;
       });
-      worsen(finding, worst, fmt::format("{} x {}, {} degrees", f.width, f.height, f.fov));
+      finding.add(worst,
+                  [&] { return fmt::format("{} x {}, {} degrees", f.width, f.height, f.fov); });
     }
     return finding;
   };
@@ -217,8 +203,8 @@ Check samples_check() {
     request.samples = bench.quick() ? 1 << 20 : 1 << 24;
     const Image image = rendered(bench, sky(radiance, 1, 1, 30), request);
     Finding finding;
-    worsen(finding, std::abs(image.at(0, 0, 0) / static_cast<double>(radiance) - 1),
-           fmt::format("{} samples", *request.samples));
+    finding.add(std::abs(image.at(0, 0, 0) / static_cast<double>(radiance) - 1),
+                [&] { return fmt::format("{} samples", *request.samples); });
     return finding;
   };
   return check;
@@ -277,8 +263,8 @@ Check depth_check() {
     const double right =
         (1 - std::pow(static_cast<double>(albedo), depth)) / (1 - static_cast<double>(albedo));
     Finding finding;
-    worsen(finding, std::abs(sum - 256 * right) / std::sqrt(error),
-           fmt::format("{:.6g}, where {:.6g} is right", sum / 256, right));
+    finding.add(std::abs(sum - 256 * right) / std::sqrt(error),
+                [&] { return fmt::format("{:.6g}, where {:.6g} is right", sum / 256, right); });
     return finding;
   };
   return check;
@@ -288,9 +274,9 @@ Check depth_check() {
 
 std::vector<Check> scene_checks() {
   constexpr const char* few_bits =
-      "A float has 24 bits: so far away, a vertex is known to a part of the scene's size that a "
-      "ray "
-      "sees. Scenes belong near the origin (docs/guide/accuracy.md, \"Bias\").";
+      "A float has 24 bits: so far away, a vertex is known only to a part of the scene's size that "
+      "a "
+      "ray sees. Scenes belong near the origin (docs/guide/accuracy.md, \"Bias\").";
   return {radiance_check(),
           size_check(),
           place_check(20, 1e-3, ""),

@@ -122,8 +122,6 @@ std::vector<T> variants(const T& defaults) {
 
 void set(float& parameter, float value) { parameter = value; }
 void set(Textured<float>& parameter, float value) { parameter = value; }
-float get(float parameter) { return parameter; }
-float get(const Textured<float>& parameter) { return parameter.value; }
 
 template <typename T>
 concept Rough = requires(T t) {
@@ -161,30 +159,6 @@ std::vector<BsdfCase> expand(const std::vector<T>& variants) {
 }
 
 }  // namespace
-
-float BsdfCase::alpha() const {
-  return std::visit(
-      [](const auto& p) {
-        if constexpr (requires { p.alpha; }) {
-          return get(p.alpha);
-        } else {
-          return 1.0F;
-        }
-      },
-      bsdf);
-}
-
-double BsdfCase::index_at(const vec3& w) const {
-  return std::visit(
-      [&](const auto& p) {
-        if constexpr (requires { p.ext_ior; }) {
-          return static_cast<double>(w.z < 0 ? p.int_ior : p.ext_ior);
-        } else {
-          return 1.0;
-        }
-      },
-      bsdf);
-}
 
 std::vector<BsdfCase> bsdf_cases(std::size_t id) {
   std::vector<BsdfCase> cases;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/pack/bsdf_record.h"
-#include "scene/bsdf/bsdf.h"
+#include "scene/bsdf/traits.h"
 #include "scene/settings.h"
 
 namespace facet::test {
@@ -23,9 +23,9 @@ struct BsdfCase {
   }
   [[nodiscard]] bool transmits() const { return has_flag(shared::BSDF_TRANSMITS); }
   /// Roughness; 1 where there is none.
-  [[nodiscard]] float alpha() const;
+  [[nodiscard]] float alpha() const { return roughness_of(bsdf); }
   /// Index of refraction on w's side; 1 without indices.
-  [[nodiscard]] double index_at(const vec3& w) const;
+  [[nodiscard]] double index_at(const vec3& w) const { return index_of_side(bsdf, w.z < 0); }
 };
 
 inline constexpr std::array roughnesses{1e-3F, 0.01F, 0.05F, 0.1F, 0.3F, 0.6F, 1.0F};
