@@ -41,7 +41,7 @@ void add_exponentials(std::vector<Check>& checks) {
     using std::exp;
     return exp(x);
   };
-  checks.push_back(check_of(elementary_group, "exp", "all floats from -87 to 88", 1.05,
+  checks.push_back(check_of(elementary_group, "exp", "all floats from -87 to 88", 1.047,
                             of_float(FUNCTION_EXP, exponential),
                             {floats(0, 88), floats(-0.0F, -87)}));
   const auto beyond = [](auto x) {
