@@ -31,7 +31,7 @@ and a lobe may be narrower than that.
 def number(value):
     if value is None:
         return "not finite"
-    return f"{value:.3g}" if value else "0"
+    return f"{value:.4g}" if value else "0"
 
 
 def count(value):
@@ -67,15 +67,16 @@ def main():
         names = list(dict.fromkeys(row["name"] for table in tables for row in table["rows"]
                                    if row["group"] == group))
         for name in names:
-            for k, table in enumerate(tables):
+            first = True
+            for table in tables:
                 for row in table["rows"]:
                     if row["name"] != name:
                         continue
                     driver = f"{table['driver'].split('(')[0].strip()} | " if several else ""
-                    first = k == 0
                     print(f"| {escaped(name) if first else ''} | {escaped(row['range']) if first else ''} | "
                           f"{driver}{count(row['inputs'])} | {number(row['worst'])} | "
                           f"{number(row['limit'])} | {row['unit']} | {verdict(row)} | {escaped(row['at'])} |")
+                    first = False
     notes = {row["argued"] for table in tables for row in table["rows"] if row["argued"]}
     for note in sorted(notes):
         print(f"\n{note}")
