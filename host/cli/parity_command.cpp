@@ -69,10 +69,7 @@ class ParityJob {
   void compare() {
     KernelBackend kernels(options_.backend.device, false);
     device_ = kernels.device().info();
-    parity::Tolerance tolerance;
-    // Vulkan allows division 2.5 ulp and square roots about 3, where lavapipe rounds correctly:
-    // each perturbation by one ulp then stands for three.
-    if (!kernels.device().is_cpu()) tolerance.spread_factor *= 3;
+    const parity::Tolerance tolerance = parity::tolerance_on(kernels.device().is_cpu());
     const std::unique_ptr<Rendering> rendering = kernels.start(scene_, settings_);
     record_ = rendering->record();
     Progress progress(options_.quiet, {});

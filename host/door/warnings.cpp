@@ -117,6 +117,22 @@ void warn_about_coinciding_emitters(const Scene& scene, Diagnostics& diagnostics
   }
 }
 
+/// Squares of lengths have to be within a float's range, those of a scene's details as well.
+void warn_about_size(const Scene& scene, Diagnostics& diagnostics) {
+  const Box box = scene.bounds();
+  if (box.empty()) return;
+  const dvec3 farthest = glm::max(glm::abs(dvec3(box.lower)), glm::abs(dvec3(box.upper)));
+  const double size = std::max({farthest.x, farthest.y, farthest.z});
+  constexpr double smallest = 1e-15;
+  constexpr double largest = 1e18;
+  if (size == 0 || (size >= smallest && size <= largest)) return;
+  diagnostics.warn({scene.file.string(), 0},
+                   fmt::format("the largest coordinate is {:.2g}: single precision computes with "
+                               "scenes of {:g} to {:g}, this image will be wrong; the reference in "
+                               "double does not mind",
+                               size, smallest, largest));
+}
+
 /// Directions are unit vectors of floats: that of a ray errs by about 2^-24, whatever the field of
 /// view.
 void warn_about_narrow_pixels(const Scene& scene, const RenderSettings& settings,
@@ -168,7 +184,10 @@ void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagn
     }
   }
   warn_about_coinciding_emitters(scene, diagnostics);
-  if (!in_double) warn_about_narrow_pixels(scene, settings, diagnostics);
+  if (!in_double) {
+    warn_about_size(scene, diagnostics);
+    warn_about_narrow_pixels(scene, settings, diagnostics);
+  }
   if (is_clipped_away(scene)) {
     diagnostics.warn(
         where,

@@ -25,6 +25,7 @@ Vector operator*(const Exact& s, const Vector& v) { return {s * v.x, s * v.y, s 
 Exact dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Channels channels(const Color& c) { return {Exact(c.r), Exact(c.g), Exact(c.b)}; }
+Channels all(const Exact& x) { return {x, x, x}; }
 Exact power5(const Exact& x) { return x * x * x * x * x; }
 
 /// A rough surface's distribution and masking.
@@ -79,20 +80,39 @@ Exact fresnel(const Exact& c, const Exact& from, const Exact& to) {
 
 /// A reflectance, and how far an ulp of the cosine moves it.
 struct Reflectance {
-  Channels values;
+  Channels values = all(0);
   Exact change = 0;
 
-  explicit Reflectance(Channels known) : values(std::move(known)) {}
-  /// Of a dielectric, or what it lets through.
-  Reflectance(const Exact& c, const Exact& from, const Exact& to, bool lets_through) {
-    const Exact f = fresnel(c, from, to);
-    values.fill(lets_through ? Exact(1 - f) : f);
+  Reflectance() = default;
+  /// of(cosine), a function.
+  template <typename Of>
+  Reflectance(const Exact& cosine, const Of& of) : values(of(cosine)) {
     for (const double by : {-0x1p-23, 0x1p-23}) {
-      const Exact near = std::min(Exact(c * (1 + by)), Exact(1));
-      change = std::max(change, Exact(abs(fresnel(near, from, to) - f)));
+      const Channels near = of(std::min(Exact(cosine * (1 + by)), Exact(1)));
+      for (std::size_t i = 0; i < 3; ++i)
+        change = std::max(change, Exact(abs(near.at(i) - values.at(i))));
     }
   }
 };
+
+/// Of a dielectric.
+Reflectance of_dielectric(const Exact& cosine, const Exact& from, const Exact& to) {
+  return {cosine, [&](const Exact& c) { return all(fresnel(c, from, to)); }};
+}
+
+/// What a dielectric lets through.
+Reflectance through_dielectric(const Exact& cosine, const Exact& from, const Exact& to) {
+  return {cosine, [&](const Exact& c) { return all(1 - fresnel(c, from, to)); }};
+}
+
+/// Schlick's, of r0 at normal incidence.
+Reflectance by_schlick(const Exact& cosine, const Channels& r0) {
+  return {cosine, [&](const Exact& c) {
+            Channels r = r0;
+            for (Exact& x : r) x += (1 - x) * power5(1 - c);
+            return r;
+          }};
+}
 
 /// Of a pair on the upper side, with its half vector.
 struct Reflection {
@@ -109,18 +129,16 @@ struct Reflection {
   [[nodiscard]] Exact gloss(const Microfacets& m) const {
     return m.d(h) * m.g1(wi) * m.g1(wo) / (4 * wi.z * wo.z);
   }
-  [[nodiscard]] Exact schlick(const Exact& r0) const { return r0 + (1 - r0) * power5(1 - cosine); }
 };
 
 /// Channel by channel: `gloss` times reflectance, and a base.
 ExactValue sum_of(const Channels& base, const Exact& gloss, const Reflectance& reflectance,
                   const Exact& exponent) {
-  const Exact least("1e-6");
   ExactValue v;
   for (std::size_t i = 0; i < 3; ++i) {
     const Exact& r = reflectance.values.at(i);
     v.f.at(i) = base.at(i) + gloss * r;
-    v.size.at(i) = base.at(i) + gloss * (std::max(r, least) + 100000 * reflectance.change);
+    v.size.at(i) = base.at(i) + gloss * (r + 100000 * reflectance.change);
     if (v.f.at(i) > 0)
       v.cosine_change =
           std::max(v.cosine_change, static_cast<double>(gloss * reflectance.change / v.f.at(i)));
@@ -138,8 +156,6 @@ Channels base_under(const Reflection& r, const Channels& albedo, const Channels&
   return result;
 }
 
-Channels all(const Exact& x) { return {x, x, x}; }
-
 bool is_above(const statistics::DirectionPair& p) { return p.wo.z > 0 && p.wi.z > 0; }
 
 using Result = std::optional<ExactValue>;
@@ -149,7 +165,7 @@ Result value(const bsdf::Diffuse& b, const DirectionPair& p) {
   if (!is_above(p)) return ExactValue();
   Channels f = channels(b.albedo.value);
   for (Exact& x : f) x /= pi;
-  return sum_of(f, 0, Reflectance(all(0)), 0);
+  return sum_of(f, 0, Reflectance(), 0);
 }
 
 Result value(const bsdf::Mirror& /*b*/, const DirectionPair& /*p*/) { return ExactValue(); }
@@ -160,9 +176,7 @@ Result value(const bsdf::RoughConductor& b, const DirectionPair& p) {
   if (!is_above(p)) return ExactValue();
   const Reflection r(p);
   const Microfacets m(b.alpha.value, b.options);
-  Channels reflectance = channels(b.r0.value);
-  for (Exact& x : reflectance) x = r.schlick(x);
-  return sum_of(all(0), r.gloss(m), Reflectance(reflectance), m.exponent(r.h));
+  return sum_of(all(0), r.gloss(m), by_schlick(r.cosine, channels(b.r0.value)), m.exponent(r.h));
 }
 
 Result value(const bsdf::Microfacet& b, const DirectionPair& p) {
@@ -172,7 +186,7 @@ Result value(const bsdf::Microfacet& b, const DirectionPair& p) {
   Channels base = channels(b.kd);
   const Exact share = 1 - std::max({base[0], base[1], base[2]});
   for (Exact& x : base) x /= pi;
-  return sum_of(base, share * r.gloss(m), Reflectance(r.cosine, b.ext_ior, b.int_ior, false),
+  return sum_of(base, share * r.gloss(m), of_dielectric(r.cosine, b.ext_ior, b.int_ior),
                 m.exponent(r.h));
 }
 
@@ -182,19 +196,18 @@ Result value(const bsdf::RoughSubstrate& b, const DirectionPair& p) {
   const Microfacets m(b.alpha.value, b.options);
   const Exact root = (Exact(b.ext_ior) - b.int_ior) / (Exact(b.ext_ior) + b.int_ior);
   return sum_of(base_under(r, channels(b.kd.value), all(root * root)), r.gloss(m),
-                Reflectance(r.cosine, b.ext_ior, b.int_ior, false), m.exponent(r.h));
+                of_dielectric(r.cosine, b.ext_ior, b.int_ior), m.exponent(r.h));
 }
 
 Result value(const bsdf::FresnelBlend& b, const DirectionPair& p) {
   if (!is_above(p)) return ExactValue();
   const Reflection r(p);
   const Microfacets m(b.alpha.value, b.options);
-  Channels reflectance = channels(b.rs.value);
-  const Channels base = base_under(r, channels(b.rd.value), reflectance);
-  for (Exact& x : reflectance) x = r.schlick(x);
+  const Channels rs = channels(b.rs.value);
   const Exact gloss =
       r.cosine > 0 ? Exact(m.d(r.h) / (4 * r.cosine * std::max(r.wi.z, r.wo.z))) : Exact(0);
-  return sum_of(base, gloss, Reflectance(reflectance), m.exponent(r.h));
+  return sum_of(base_under(r, channels(b.rd.value), rs), gloss, by_schlick(r.cosine, rs),
+                m.exponent(r.h));
 }
 
 /// Walter et al. 2007, equations 20 and 21.
@@ -218,14 +231,14 @@ Result value(const bsdf::RoughDielectric& b, const DirectionPair& p) {
   if (reflects) {
     const Exact cosine = std::min(Exact(length / 2), Exact(1));
     const Exact sided = dg / (4 * abs(wi.z * wo.z));
-    v = sum_of(all(0), sided, Reflectance(cosine, eta_o, beyond, false), exponent);
+    v = sum_of(all(0), sided, of_dielectric(cosine, eta_o, beyond), exponent);
   } else {
     const Exact o = dot(wo, h) / length;
     const Exact i = dot(wi, h) / length;
     if (o / wo.z <= 0 || i / wi.z <= 0) return ExactValue();
     const Exact sum = eta_i * i + eta_o * o;
     const Exact sided = abs(i * o) / abs(wi.z * wo.z) * eta_o * eta_o * dg / (sum * sum);
-    v = sum_of(all(0), sided, Reflectance(abs(o), eta_o, eta_i, true), exponent);
+    v = sum_of(all(0), sided, through_dielectric(abs(o), eta_o, eta_i), exponent);
     v.refracts = true;
   }
   const Channels tint = channels(b.ka.value);

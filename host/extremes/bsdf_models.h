@@ -10,10 +10,9 @@ namespace facet::extremes {
 /// Of one pair of directions.
 struct ExactValue {
   std::array<Exact, 3> f;  ///< sr^-1
-  /// What an error in a channel is relative to: the value, or where its reflectance is smaller than
-  /// a millionth, that of a millionth. A cosine's rounding changes (1 - c)^5 beside c = 1 by any
-  /// factor, in a value that nobody sees. Beside the critical angle, where the slope of reflectance
-  /// is infinite, 10^5 times what an ulp of the cosine changes is added.
+  /// What an error in a channel is relative to: the value, and 10^5 times what an ulp of the
+  /// cosine at the microfacet changes. That changes Schlick's (1 - c)^5 by any factor beside c = 1,
+  /// and Fresnel's reflectance beside the critical angle, where its slope is infinite.
   std::array<Exact, 3> size;
   /// Squared tangent of the half vector over squared roughness: the exponent of Beckmann's
   /// distribution; 0 without a half vector.

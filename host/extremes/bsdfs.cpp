@@ -21,8 +21,6 @@ constexpr std::size_t whole_pairs = 10'000'000;
 constexpr std::size_t quick_pairs = 36'000;
 /// Inputs that are measured at a time.
 constexpr std::size_t batch = 1U << 15U;
-/// Samples from one direction of view.
-constexpr std::size_t draws_of_view = 64;
 
 std::string text(const vec3& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); }
 std::string text(const BsdfCase& c, const DirectionPair& p) {
@@ -73,15 +71,17 @@ Check base_check(std::size_t id, const char* what, const char* range, const char
 }
 
 /// How far a value may be off, over the value: beyond Beckmann's exponent of ten it grows with it.
-double deviation_of(const BsdfValue& found, const ExactValue& right) {
+/// Where it times the cosine is below 1e-30, nobody sees it, and floats underflow.
+double deviation_of(const BsdfValue& found, const ExactValue& right, const DirectionPair& p) {
   // Beside e^-87 float ends, and kernels say 0; of that nobody sees anything either.
   if (right.exponent > 86.9) return right.exponent > 87.1 ? -1 : 0;
   const double slope = std::max(1.0, right.exponent / 10);
+  const double least = 1e-30 / std::abs(p.wi.z);
   double worst = 0;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const auto error = static_cast<double>(abs(Exact(found.f[k]) - right.f[i]));
-    const double size = std::max(static_cast<double>(right.size[i]), 1e-30);
+    const double size = std::max(static_cast<double>(right.size[i]), least);
     const double relative = std::isfinite(found.f[k]) ? error / (size * slope)
                                                       : std::numeric_limits<double>::infinity();
     worst = std::max(worst, relative);
@@ -105,7 +105,7 @@ Check value_check(std::size_t id) {
           const std::vector<double> deviations = deviations_of(count, [&](std::size_t i) {
             const std::optional<ExactValue> right = exact_value(c, pairs[i]);
             if (!right) return -1.0;
-            const double deviation = deviation_of(found[i], *right);
+            const double deviation = deviation_of(found[i], *right, pairs[i]);
             // The half vector of refraction is made by four roundings of half an ulp.
             if (!right->refracts || !(deviation > 1e-5)) return deviation;
             return deviation / (1 + 2e5 * change_by_rounding(c, pairs[i]));
@@ -118,18 +118,30 @@ Check value_check(std::size_t id) {
   return check;
 }
 
-/// Calls body(case, evaluator, wo, draws) for samples from many directions.
+/// A sample with the directions of view and of the sample.
+struct ViewedDraw {
+  BsdfDraw draw;
+  DirectionPair pair;
+};
+
+/// Calls body(case, evaluator, draws) for batches of samples seen from many directions.
 template <typename Body>
-void for_each_view(Bench& bench, std::size_t id, const Body& body) {
+void for_each_sample(Bench& bench, std::size_t id, const Body& body) {
   for_each_batch(
       bench, id,
       [&](const BsdfCase& c, KernelBsdfEvaluator& kernels, Random& random, std::size_t count) {
-        for (std::size_t done = 0; done < count; done += draws_of_view) {
+        std::vector<statistics::BsdfQuery> queries;
+        queries.reserve(count);
+        for (std::size_t i = 0; i < count; ++i) {
           const vec3 wo = view_direction(c, random);
-          std::vector<statistics::BsdfNumbers> numbers;
-          for (std::size_t i = 0; i < draws_of_view; ++i) numbers.push_back(sample_numbers(random));
-          body(c, kernels, wo, kernels.sample(wo, numbers));
+          queries.push_back({wo, sample_numbers(random)});
         }
+        const std::vector<BsdfDraw> draws = kernels.sample(queries);
+        std::vector<ViewedDraw> viewed;
+        viewed.reserve(count);
+        for (std::size_t i = 0; i < count; ++i)
+          viewed.push_back({draws[i], {queries[i].wo, draws[i].wi}});
+        body(c, kernels, viewed);
       });
 }
 
@@ -153,16 +165,17 @@ Check soundness_check(std::size_t id) {
           for (std::size_t i = 0; i < count; ++i)
             note(is_sound(values[i].f) && is_sound(vec3(values[i].pdf)), c, pairs[i]);
         });
-    for_each_view(bench, id,
-                  [&](const BsdfCase& c, KernelBsdfEvaluator& /*kernels*/, const vec3& wo,
-                      const std::vector<BsdfDraw>& draws) {
-                    for (const BsdfDraw& d : draws) {
-                      const bool counts = d.weight != vec3(0);
-                      const bool sound = is_sound(d.weight) && (!counts || std::isfinite(d.pdf)) &&
-                                         (!counts || std::abs(glm::length(dvec3(d.wi)) - 1) < 1e-6);
-                      note(sound, c, {wo, d.wi});
-                    }
-                  });
+    for_each_sample(bench, id,
+                    [&](const BsdfCase& c, KernelBsdfEvaluator& /*kernels*/,
+                        const std::vector<ViewedDraw>& draws) {
+                      for (const auto& [d, pair] : draws) {
+                        const bool counts = d.weight != vec3(0);
+                        const bool sound =
+                            is_sound(d.weight) && (!counts || std::isfinite(d.pdf)) &&
+                            (!counts || std::abs(glm::length(dvec3(d.wi)) - 1) < 1e-6);
+                        note(sound, c, pair);
+                      }
+                    });
     return finding;
   };
   return check;
@@ -198,21 +211,25 @@ Check draw_check(std::size_t id, const char* what, const Deviation& deviation) {
                  "relative error", 1e-5);
   check.measure = [id, deviation](Bench& bench) {
     Finding finding;
-    for_each_view(bench, id,
-                  [&](const BsdfCase& c, KernelBsdfEvaluator& kernels, const vec3& wo,
-                      const std::vector<BsdfDraw>& draws) {
-                    std::vector<DirectionPair> pairs;
-                    pairs.reserve(draws.size());
-                    for (const BsdfDraw& d : draws) pairs.push_back({wo, d.wi});
-                    const std::vector<BsdfValue> values = kernels.evaluate(pairs);
-                    for (std::size_t i = 0; i < draws.size(); ++i) {
-                      const BsdfDraw& d = draws[i];
-                      if (d.weight == vec3(0) || d.pdf < 0) continue;
-                      double off = deviation(d, values[i]) / allowed_by_rounding(c, pairs[i]);
-                      if (off > 1e-5) off /= allowed_by_model(c, pairs[i]);
-                      finding.add(off, [&] { return text(c, pairs[i]); });
-                    }
-                  });
+    for_each_sample(
+        bench, id,
+        [&](const BsdfCase& c, KernelBsdfEvaluator& kernels, const std::vector<ViewedDraw>& draws) {
+          std::vector<DirectionPair> pairs;
+          pairs.reserve(draws.size());
+          for (const ViewedDraw& d : draws) pairs.push_back(d.pair);
+          const std::vector<BsdfValue> values = kernels.evaluate(pairs);
+          const std::vector<double> deviations = deviations_of(draws.size(), [&](std::size_t i) {
+            const BsdfDraw& d = draws[i].draw;
+            if (d.weight == vec3(0) || d.pdf < 0) return -1.0;
+            const double off = deviation(d, values[i]);
+            double allowed = off > 1e-5 ? allowed_by_rounding(c, pairs[i]) : 1;
+            if (off > 1e-5 * allowed) allowed *= allowed_by_model(c, pairs[i]);
+            // Infinite where the direction's neighbours have no value.
+            return std::isfinite(allowed) ? off / allowed : -1.0;
+          });
+          for (std::size_t i = 0; i < draws.size(); ++i)
+            finding.add(deviations[i], [&] { return text(c, pairs[i]); });
+        });
     return finding;
   };
   return check;

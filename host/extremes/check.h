@@ -65,7 +65,19 @@ struct Check {
 [[nodiscard]] std::vector<Check> piece_checks();
 /// Every BSDF.
 [[nodiscard]] std::vector<Check> bsdf_checks();
+/// Rays through closed meshes and along axes.
+[[nodiscard]] std::vector<Check> leak_checks();
+/// Nearest hits.
+[[nodiscard]] std::vector<Check> hit_checks();
+/// Rays that leave surfaces.
+[[nodiscard]] std::vector<Check> surface_checks();
+/// Emitters.
+[[nodiscard]] std::vector<Check> light_checks();
+/// Shapes of images.
+[[nodiscard]] std::vector<Check> image_checks();
 /// Whole renders.
 [[nodiscard]] std::vector<Check> scene_checks();
+/// The reference beside the kernels in scenes of the other checks.
+[[nodiscard]] std::vector<Check> parity_checks();
 
 }  // namespace facet::extremes

@@ -1,22 +1,15 @@
 // Whole renders at the edges: sizes, places and radiances of scenes, shapes of images, fields of
 // view, many samples, long paths.
-#include <facet/facet.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
-#include "extremes/bench.h"
+#include "extremes/scene_parts.h"
 
 namespace facet::extremes {
 
 namespace {
-
-constexpr double not_finite = std::numeric_limits<double>::infinity();
-
-TriangleMesh quad(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
-  return {.positions = {a, b, c, d}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
-}
 
 /// What is varied of a scene of some two units.
 struct Variation {
@@ -25,18 +18,17 @@ struct Variation {
   float radiance = 10;
 };
 
-Vector3 placed(const Vector3& p, const Variation& v) {
-  Vector3 result{};
-  for (std::size_t i = 0; i < 3; ++i) result.at(i) = v.scale * (p.at(i) + v.offset.at(i));
-  return result;
-}
-
 TriangleMesh placed(TriangleMesh mesh, const Variation& v) {
-  for (Vector3& p : mesh.positions) p = placed(p, v);
-  return mesh;
+  return moved(std::move(mesh), {v.scale, v.scale, v.scale}, v.offset);
 }
 
-Rgb gray(float x) { return {x, x, x}; }
+Vector3 placed(const Vector3& p, const Variation& v) {
+  return placed(TriangleMesh{.positions = {p}, .triangles = {}}, v).positions[0];
+}
+
+constexpr const char* few_bits =
+    "A float has 24 bits: so far away, a vertex is known only to a part of the scene's size that a "
+    "ray sees. Scenes belong near the origin (docs/guide/accuracy.md, \"Bias\").";
 
 /// A metal pyramid on a floor under a lamp.
 ScenePtr pyramid(const Variation& v) {
@@ -49,14 +41,8 @@ ScenePtr pyramid(const Variation& v) {
   SceneMaker maker;
   maker.integrator({"path_mis", {{"maxDepth", 4}}});
   maker.sampler({"sobol", {{"sampleCount", 16}}});
-  maker.camera({"perspective",
-                {{"width", 32},
-                 {"height", 24},
-                 {"fov", 40.0},
-                 {"nearClip", 1e-9},
-                 {"farClip", 1e12},
-                 {"toWorld", LookAt{.origin = placed({1, 1.25F, -2}, v),
-                                    .target = placed({0, 0.125F, 0}, v)}}}});
+  maker.camera(camera({32, 24}, 40,
+                      {.origin = placed({1, 1.25F, -2}, v), .target = placed({0, 0.125F, 0}, v)}));
   maker.mesh(placed(quad({-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}), v),
              {"diffuse", {{"albedo", gray(0.5F)}}});
   maker.mesh(placed(body, v), {"roughconductor", {{"alpha", 0.2}}});
@@ -66,34 +52,10 @@ ScenePtr pyramid(const Variation& v) {
   return maker.scene();
 }
 
-/// Nothing but an even sky.
-ScenePtr sky(float radiance, int width, int height, double fov) {
-  SceneMaker maker;
-  maker.integrator({"path_mis"});
-  maker.sampler({"independent", {{"sampleCount", 1}}});
-  maker.camera({"perspective", {{"width", width}, {"height", height}, {"fov", fov}}});
-  maker.emitter({"environment", {{"radiance", gray(radiance)}}});
-  return maker.scene();
-}
-
-Image rendered(Bench& bench, const ScenePtr& scene, const RenderRequest& request = {}) {
-  const std::unique_ptr<Rendering> rendering = bench.backend().start(scene, request);
-  rendering->run([&](double done, const RenderStatistics& /*statistics*/) {
-    bench.tell(done);
-    return true;
-  });
-  return develop(rendering->film(), request.variance);
-}
-
-/// Calls body(a, b) for the values of two images of one size.
-template <typename Body>
-void for_each_value(const Image& a, const Image& b, const Body& body) {
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      for (int c = 0; c < 3; ++c)
-        body(static_cast<double>(a.at(x, y, c)), static_cast<double>(b.at(x, y, c)));
-    }
-  }
+/// The pyramid so far away, in units of its size.
+ScenePtr moved_pyramid(float distance) {
+  const float x = 2 * distance;
+  return pyramid({.offset = {x, 0.7F * x, -0.4F * x}});
 }
 
 /// Root of the mean squared error over the mean square.
@@ -107,19 +69,31 @@ double relative_rmse(const Image& image, const Image& right) {
   return std::sqrt(error / size);
 }
 
-Check base_check(const char* name, const char* range, const char* unit, double limit) {
-  return make_check("scenes and images", name, range, unit, limit);
+Check scene_row(const char* name, const char* range, const char* unit, double limit) {
+  return make_check("scenes", name, range, unit, limit);
+}
+
+/// The inside of a cube all of whose walls emit 1 and reflect `albedo`: what is seen is the sum of
+/// that series up to the largest depth.
+ScenePtr glowing_room(float albedo, int depth) {
+  SceneMaker maker;
+  maker.integrator({"path_mats", {{"maxDepth", depth}}});
+  maker.sampler({"independent", {{"sampleCount", 64}}});
+  maker.camera(camera({16, 16}, 90, {.origin = {0, 0, -0.5F}, .target = {0, 0.1F, 1}}));
+  maker.mesh(box({1, 1, 1}, true), {"diffuse", {{"albedo", gray(albedo)}}},
+             {"area", {{"radiance", gray(1)}}});
+  return maker.scene();
 }
 
 Check radiance_check() {
-  Check check = base_check("radiance", "lamps from 1e-20 to 1e20, against one of 1 times that",
-                           "relative error of a pixel", 1e-5);
+  Check check = scene_row("radiance", "lamps from 1e-20 to 1e20, against one of 1 times that",
+                          "relative error of a pixel", 1e-5);
   check.measure = [](Bench& bench) {
     Finding finding;
-    const Image one = rendered(bench, pyramid({.radiance = 1}));
+    const Image one = rendered(bench, pyramid({.radiance = 1})).image();
     for (int e = -20; e <= 20; e += 5) {
       const auto radiance = static_cast<float>(std::pow(10.0, e));
-      const Image image = rendered(bench, pyramid({.radiance = radiance}));
+      const Image image = rendered(bench, pyramid({.radiance = radiance})).image();
       double worst = 0;
       for_each_value(image, one, [&](double a, double b) {
         const double right = b * static_cast<double>(radiance);
@@ -133,19 +107,53 @@ Check radiance_check() {
   return check;
 }
 
+/// The variances that an image's file holds, against those of radiance 1 times the radiance's
+/// square.
+Check variance_check(const char* name, std::vector<int> exponents, const char* argued) {
+  Check check =
+      scene_row(name, "of the image of a lamp, against one of radiance 1 times its square",
+                "relative error", 1e-5);
+  check.argued = argued;
+  check.measure = [exponents = std::move(exponents)](Bench& bench) {
+    Finding finding;
+    RenderRequest request;
+    request.variance = true;
+    const Image one = develop(rendered(bench, pyramid({.radiance = 1}), request).film, true);
+    const int channel = one.find_channel("variance.R");
+    for (const int e : exponents) {
+      const auto radiance = static_cast<float>(std::pow(10.0, e));
+      const Image image =
+          develop(rendered(bench, pyramid({.radiance = radiance}), request).film, true);
+      double worst = 0;
+      for (int y = 0; y < one.height(); ++y) {
+        for (int x = 0; x < one.width(); ++x) {
+          const double right = static_cast<double>(one.at(x, y, channel)) *
+                               static_cast<double>(radiance) * static_cast<double>(radiance);
+          const double error = std::abs(static_cast<double>(image.at(x, y, channel)) - right);
+          if (right > 0) worst = std::max(worst, error / right);
+        }
+      }
+      finding.add(worst, [&] { return fmt::format("radiance 1e{}", e); });
+    }
+    return finding;
+  };
+  return check;
+}
+
 /// Powers of two change no bit of any mantissa: where the image changes, a constant of the code has
-/// a size of its own.
+/// a size of its own, or floats end.
 Check size_check() {
-  Check check = base_check("size of the scene", "times 2^-20 to 2^20, against the scene itself",
-                           "values that differ in any bit", 0);
+  Check check =
+      scene_row("size of the scene",
+                "times 2^-55 to 2^60, against the scene itself; densities of points on the lamp "
+                "from 1e-36 to 1e33",
+                "values that differ in any bit", 0);
   check.measure = [](Bench& bench) {
     Finding finding;
-    const Image one = rendered(bench, pyramid({}));
-    for (int e = -20; e <= 20; e += 5) {
-      const Image image = rendered(bench, pyramid({.scale = std::ldexp(1.0F, e)}));
-      double different = 0;
-      for_each_value(image, one, [&](double a, double b) { different += a == b ? 0 : 1; });
-      finding.add(different, [&] { return fmt::format("2^{}", e); });
+    const Image one = rendered(bench, pyramid({})).image();
+    for (int e = -55; e <= 60; e += 5) {
+      const Image image = rendered(bench, pyramid({.scale = std::ldexp(1.0F, e)})).image();
+      finding.add(count_different(image, one), [&] { return fmt::format("2^{}", e); });
     }
     return finding;
   };
@@ -153,118 +161,74 @@ Check size_check() {
 }
 
 Check place_check(float distance, double limit, const char* argued) {
-  Check check = base_check("", "the scene moved along (1, 0.7, -0.4), against itself at the origin",
-                           "relative RMSE, at equal random numbers", limit);
-  check.name = fmt::format("{:g} sizes from the origin", distance / 2);
+  Check check = scene_row("", "the scene moved along (1, 0.7, -0.4), against itself at the origin",
+                          "relative RMSE, at equal random numbers", limit);
+  check.name = fmt::format("{:g} sizes from the origin", distance);
   check.argued = argued;
   check.measure = [distance](Bench& bench) {
     Finding finding;
-    const Vector3 offset{distance, 0.7F * distance, -0.4F * distance};
-    finding.add(
-        relative_rmse(rendered(bench, pyramid({.offset = offset})), rendered(bench, pyramid({}))),
-        [&] { return fmt::format("at ({:g}, {:g}, {:g})", offset[0], offset[1], offset[2]); });
+    finding.add(relative_rmse(rendered(bench, moved_pyramid(distance)).image(),
+                              rendered(bench, pyramid({})).image()),
+                [&] { return fmt::format("at {:g} times (2, 1.4, -0.8)", distance); });
     return finding;
   };
   return check;
 }
 
-struct Frame {
-  int width;
-  int height;
-  double fov;
-};
-
-Check frame_check(const char* name, const char* range, std::vector<Frame> frames) {
-  Check check = base_check(name, range, "relative error of a pixel", 1e-6);
-  check.measure = [frames = std::move(frames)](Bench& bench) {
-    Finding finding;
-    constexpr float radiance = 0.7F;
-    for (const Frame& f : frames) {
-      const Image image = rendered(bench, sky(radiance, f.width, f.height, f.fov));
-      double worst = image.width() == f.width && image.height() == f.height ? 0 : not_finite;
-      for_each_value(image, image, [&](double a, double /*b*/) {
-        const double error = std::abs(a / static_cast<double>(radiance) - 1);
-        worst = error <= worst ? worst : error;
-      });
-      finding.add(worst,
-                  [&] { return fmt::format("{} x {}, {} degrees", f.width, f.height, f.fov); });
-    }
-    return finding;
-  };
-  return check;
-}
-
-Check samples_check() {
-  Check check = base_check("samples of a pixel", "2^24 (2^20 where quick) of an even sky",
-                           "relative error", 1e-6);
-  check.measure = [](Bench& bench) {
-    constexpr float radiance = 0.1F;
-    RenderRequest request;
-    request.samples = bench.quick() ? 1 << 20 : 1 << 24;
-    const Image image = rendered(bench, sky(radiance, 1, 1, 30), request);
-    Finding finding;
-    finding.add(std::abs(image.at(0, 0, 0) / static_cast<double>(radiance) - 1),
-                [&] { return fmt::format("{} samples", *request.samples); });
-    return finding;
-  };
-  return check;
-}
-
-/// A closed room all of whose walls emit 1 and reflect `albedo`: what is seen is the sum of that
-/// series up to the largest depth.
 Check depth_check() {
-  Check check =
-      base_check("depth of paths", "1000 in a closed room of albedo 0.99 whose walls emit",
-                 "standard errors of the mean", 4.5);
+  Check check = scene_row("depth of paths", "1000 in a closed room of albedo 0.99 whose walls emit",
+                          "standard errors of the mean", 4.5);
   check.measure = [](Bench& bench) {
     constexpr float albedo = 0.99F;
     constexpr int depth = 1000;
-    SceneMaker maker;
-    maker.integrator({"path_mats", {{"maxDepth", depth}}});
-    maker.sampler({"independent", {{"sampleCount", 64}}});
-    maker.camera({"perspective",
-                  {{"width", 16},
-                   {"height", 16},
-                   {"fov", 90.0},
-                   {"toWorld", LookAt{.origin = {0, 0, -0.5F}, .target = {0, 0.1F, 1}}}}});
-    const TriangleMesh room{.positions = {{-1, -1, -1},
-                                          {1, -1, -1},
-                                          {1, 1, -1},
-                                          {-1, 1, -1},
-                                          {-1, -1, 1},
-                                          {1, -1, 1},
-                                          {1, 1, 1},
-                                          {-1, 1, 1}},
-                            .triangles = {{0, 1, 2},
-                                          {0, 2, 3},
-                                          {5, 4, 7},
-                                          {5, 7, 6},
-                                          {4, 0, 3},
-                                          {4, 3, 7},
-                                          {1, 5, 6},
-                                          {1, 6, 2},
-                                          {3, 2, 6},
-                                          {3, 6, 7},
-                                          {4, 5, 1},
-                                          {4, 1, 0}}};
-    maker.mesh(room, {"diffuse", {{"albedo", gray(albedo)}}}, {"area", {{"radiance", gray(1)}}});
-    RenderRequest request;
-    request.variance = true;
-    const Image image = rendered(bench, maker.scene(), request);
-    const int variance = image.find_channel("variance.R");
-    double sum = 0;
-    double error = 0;
-    for (int y = 0; y < 16; ++y) {
-      for (int x = 0; x < 16; ++x) {
-        sum += image.at(x, y, 0);
-        error += image.at(x, y, variance);
-      }
-    }
+    const Rendered image = rendered(bench, glowing_room(albedo, depth));
     const double right =
         (1 - std::pow(static_cast<double>(albedo), depth)) / (1 - static_cast<double>(albedo));
     Finding finding;
-    finding.add(std::abs(sum - 256 * right) / std::sqrt(error),
-                [&] { return fmt::format("{:.6g}, where {:.6g} is right", sum / 256, right); });
+    finding.add(std::abs(image.mean() - right) / image.standard_error(),
+                [&] { return fmt::format("{:.6g}, where {:.6g} is right", image.mean(), right); });
+    return finding;
+  };
+  return check;
+}
+
+/// A diffuse floor under an even sky is as bright as its albedo everywhere.
+Check mesh_check() {
+  Check check = scene_row("meshes",
+                          "a floor of 10 million triangles (100,000 where quick), of two with "
+                          "coordinates of 1e-15 to 1e18, without normals, with zero ones, without "
+                          "texture coordinates",
+                          "relative error of a pixel", 1e-6);
+  check.measure = [](Bench& bench) {
+    Finding finding;
+    constexpr float albedo = 0.7F;
+    const auto add = [&](const TriangleMesh& floor, float size, const std::string& name) {
+      SceneMaker maker;
+      maker.integrator({"direct_mats"});
+      maker.sampler({"independent", {{"sampleCount", 4}}});
+      maker.camera(
+          camera({64, 64}, 20, {.origin = {0.1F * size, size, 0.2F * size}, .target = {0, 0, 0}}));
+      maker.emitter({"environment"});
+      maker.mesh(floor, {"diffuse", {{"albedo", gray(albedo)}}});
+      const Image image = rendered(bench, maker.scene()).image();
+      double worst = 0;
+      for_each_value(image, image, [&](double a, double /*b*/) {
+        const double error = std::abs(a / static_cast<double>(albedo) - 1);
+        worst = error <= worst ? worst : error;
+      });
+      finding.add(worst, [&] { return name; });
+    };
+    const int count = bench.quick() ? 224 : 2237;
+    add(grid(count, 0, true), 1, fmt::format("{} triangles", 2 * count * count));
+    for (const float size : {1e-15F, 1e15F, 1e18F})
+      add(moved(grid(1, 0, true), {size, size, size}, {}), size, fmt::format("size {:g}", size));
+    TriangleMesh dressed = grid(4, 0, true);
+    dressed.normals.assign(dressed.positions.size(), {0, 0, 0});
+    add(dressed, 1, "zero normals");
+    dressed.normals.assign(dressed.positions.size(), {0, 1, 0});
+    add(dressed, 1, "with normals");
+    dressed.texcoords.assign(dressed.positions.size(), {0.5F, 0.5F});
+    add(dressed, 1, "with texture coordinates");
     return finding;
   };
   return check;
@@ -272,23 +236,33 @@ Check depth_check() {
 
 }  // namespace
 
+std::vector<EdgeScene> whole_scenes() {
+  return {{"radiance 1e-20", [] { return pyramid({.radiance = 1e-20F}); }},
+          {"radiance 1e15", [] { return pyramid({.radiance = 1e15F}); }},
+          {"radiance 1e20", [] { return pyramid({.radiance = 1e20F}); }},
+          {"a scene times 2^-55", [] { return pyramid({.scale = 0x1p-55F}); }},
+          {"a scene times 2^60", [] { return pyramid({.scale = 0x1p60F}); }},
+          {"a scene 100 sizes from the origin", [] { return moved_pyramid(100); }},
+          {"a scene 1000 sizes from the origin", [] { return moved_pyramid(1000); }, few_bits},
+          {"a scene 1e6 sizes from the origin", [] { return moved_pyramid(1e6F); }, few_bits},
+          {"paths of 1000 in a room of albedo 0.99", [] { return glowing_room(0.99F, 1000); }}};
+}
+
 std::vector<Check> scene_checks() {
-  constexpr const char* few_bits =
-      "A float has 24 bits: so far away, a vertex is known only to a part of the scene's size that "
-      "a "
-      "ray sees. Scenes belong near the origin (docs/guide/accuracy.md, \"Bias\").";
-  return {radiance_check(),
-          size_check(),
-          place_check(20, 1e-3, ""),
-          place_check(200, 1e-2, ""),
-          place_check(2e3F, 1e-2, few_bits),
-          place_check(2e6F, 1e-2, few_bits),
-          frame_check("shapes of images", "1x1, 16384x1, 1x16384, an even sky",
-                      {{1, 1, 30}, {16384, 1, 30}, {1, 16384, 30}}),
-          frame_check("fields of view", "1e-6 to 179 degrees, an even sky",
-                      {{16, 16, 1e-6}, {16, 16, 1e-3}, {16, 16, 170}, {16, 16, 179}}),
-          samples_check(),
-          depth_check()};
+  return {
+      radiance_check(),
+      variance_check("variances, radiance 1e-14 to 1e18", {-14, -10, -5, 5, 10, 15, 18}, ""),
+      variance_check("variances, radiance 1e-20 and 1e20", {-20, 20},
+                     "The square of such a radiance is beyond the floats of an image's file: 0, "
+                     "or infinite. Error estimates and stop rules are formed in double and "
+                     "hold."),
+      size_check(),
+      place_check(10, 1e-3, ""),
+      place_check(100, 1e-2, ""),
+      place_check(1e3F, 1e-2, few_bits),
+      place_check(1e6F, 1e-2, few_bits),
+      depth_check(),
+      mesh_check()};
 }
 
 }  // namespace facet::extremes

@@ -11,6 +11,7 @@ namespace facet {
 
 using statistics::BsdfDraw;
 using statistics::BsdfNumbers;
+using statistics::BsdfQuery;
 using statistics::BsdfValue;
 using statistics::DirectionPair;
 
@@ -116,15 +117,23 @@ void KernelBsdfEvaluator::draw(const shared::EvaluationRecord& what, std::vector
 
 std::vector<BsdfDraw> KernelBsdfEvaluator::sample(const vec3& wo,
                                                   std::span<const BsdfNumbers> numbers) {
+  std::vector<BsdfQuery> queries;
+  queries.reserve(numbers.size());
+  for (const BsdfNumbers& n : numbers) queries.push_back({wo, n});
+  return sample(queries);
+}
+
+std::vector<BsdfDraw> KernelBsdfEvaluator::sample(std::span<const BsdfQuery> queries) {
   std::vector<BsdfDraw> draws;
-  draws.reserve(numbers.size());
-  for_each_batch(numbers.size(), [&](std::size_t first, std::uint32_t count) {
-    std::vector<shared::QueryRecord> queries;
-    queries.reserve(count);
-    for (const BsdfNumbers& n : numbers.subspan(first, count))
-      queries.push_back({glm::vec4(n.lobe, n.u, n.v, 0), glm::vec4(0)});
-    kernels_.queries_.upload(queries);
-    draw({glm::vec4(wo, 0), count, 0, 0, 1}, draws);
+  draws.reserve(queries.size());
+  for_each_batch(queries.size(), [&](std::size_t first, std::uint32_t count) {
+    std::vector<shared::QueryRecord> records;
+    records.reserve(count);
+    for (const BsdfQuery& q : queries.subspan(first, count))
+      records.push_back(
+          {glm::vec4(q.numbers.lobe, q.numbers.u, q.numbers.v, 0), glm::vec4(q.wo, 0)});
+    kernels_.queries_.upload(records);
+    draw({glm::vec4(0), count, 0, 0, 1}, draws);
   });
   return draws;
 }

@@ -51,6 +51,9 @@ class KernelBsdfEvaluator : public statistics::BsdfEvaluator {
       std::span<const statistics::DirectionPair> pairs) override;
   [[nodiscard]] std::vector<statistics::BsdfDraw> sample(
       const vec3& wo, std::span<const statistics::BsdfNumbers> numbers) override;
+  /// One sample for each query: a dispatch for many directions of view.
+  [[nodiscard]] std::vector<statistics::BsdfDraw> sample(
+      std::span<const statistics::BsdfQuery> queries);
   [[nodiscard]] std::vector<statistics::BsdfDraw> sample(const vec3& wo, std::uint32_t count,
                                                          std::uint32_t seed) override;
 

@@ -35,6 +35,12 @@ struct BsdfNumbers {
   float v = 0;
 };
 
+/// A sample's direction of view, unit, in the shading frame, and its numbers.
+struct BsdfQuery {
+  vec3 wo;
+  BsdfNumbers numbers;
+};
+
 /// Evaluates one BSDF, wherever that happens.
 class BsdfEvaluator {
  public:

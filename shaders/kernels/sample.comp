@@ -1,5 +1,5 @@
 #version 450
-// Samples of one BSDF seen from one direction: what tests ask.
+// Samples of one BSDF: what tests ask.
 #extension GL_GOOGLE_include_directive : require
 #include "../lib/bsdf.glsl"
 #include "../lib/bindings.glsl"
@@ -22,9 +22,11 @@ BsdfNumbers given_numbers(uint index) {
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= evaluation.count) return;
+  bool given = evaluation.given == 1u;
   BsdfNumbers numbers = path_numbers(i);
-  if (evaluation.given == 1u) numbers = given_numbers(i);
-  BsdfSample s = bsdf_sample(fetch_bsdf(0u), evaluation.wo.xyz, numbers);
+  if (given) numbers = given_numbers(i);
+  vec3 wo = given ? queries[i].second.xyz : evaluation.wo.xyz;
+  BsdfSample s = bsdf_sample(fetch_bsdf(0u), wo, numbers);
   values[i] = vec4(s.wi, s.pdf);
   weights[i] = vec4(s.weight, 0.0);
 }

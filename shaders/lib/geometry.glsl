@@ -140,11 +140,12 @@ bool same_side(float u, float v, float w) {
   return min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
 }
 
-/// A normal of the plane of the edges e and f; inverse_e2 is 1/|e|^2. It is formed with f's part
+/// A normal of the plane of the edges e and f; inverse_e is e/|e|^2. It is formed with f's part
 /// perpendicular to e, so that no digits cancel in the cross product however thin the triangle is:
-/// all vertices lie within a few ulps of the longest edge from the plane.
-vec3 plane_normal(vec3 e, float inverse_e2, vec3 f) {
-  return cross3(f - (dot3(f, e) * inverse_e2) * e, e);
+/// all vertices lie within a few ulps of the longest edge from the plane. No more than squares of
+/// lengths has to be within a float's range.
+vec3 plane_normal(vec3 e, vec3 inverse_e, vec3 f) {
+  return cross3(f - dot3(f, inverse_e) * e, inverse_e);
 }
 
 /// The nearest hit of the ray with a pair's triangles at t_min < t < t_max.
@@ -164,19 +165,19 @@ PairHit intersect_pair(TraversalRay ray, Corners corners, float t_max) {
   vec2 pd = vec2(dot3(ray.across.s, d), dot3(ray.across.t, d));
   float diagonal = edge_function(pa, pc);
   vec3 e = corners.c2 - corners.c0;
-  float inverse_e2 = 1.0 / dot3(e, e);
+  vec3 inverse_e = e * (1.0 / dot3(e, e));
 
   float u0 = edge_function(pc, pb);
   float w0 = edge_function(pb, pa);
   float det0 = (u0 + diagonal) + w0;
-  vec3 n0 = plane_normal(e, inverse_e2, corners.c1 - corners.c0);
+  vec3 n0 = plane_normal(e, inverse_e, corners.c1 - corners.c0);
   float t0 = dot3(n0, a) / dot3(n0, ray.direction);
   bool hit0 = same_side(u0, diagonal, w0) && det0 != 0.0 && t0 > ray.t_min && t0 < t_max;
 
   float u1 = edge_function(pd, pc);
   float v1 = edge_function(pa, pd);
   float det1 = (u1 + v1) - diagonal;
-  vec3 n1 = plane_normal(e, inverse_e2, corners.c3 - corners.c0);
+  vec3 n1 = plane_normal(e, inverse_e, corners.c3 - corners.c0);
   float t1 = dot3(n1, a) / dot3(n1, ray.direction);
   bool hit1 =
       same_side(u1, v1, -diagonal) && det1 != 0.0 && t1 > ray.t_min && t1 < (hit0 ? t0 : t_max);

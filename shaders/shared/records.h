@@ -259,13 +259,13 @@ struct EvaluationRecord {
   uint count;         // queries or samples
   uint first_sample;  // their numbers are those of pixel 0 and of the samples from here on,
   uint seed;
-  uint given;  // unless this is 1: then the queries hold them
+  uint given;  // unless this is 1: then the queries hold numbers and wo of each
 };
 
-/// A pair of directions in the shading frame, or numbers of a sample.
+/// A pair of directions in the shading frame, or what a sample is made from.
 struct QueryRecord {
-  vec4 first;   // wo; or lobe, u, v
-  vec4 second;  // wi
+  vec4 first;   // wo; or the numbers lobe, u, v
+  vec4 second;  // wi; or wo
 };
 
 /// Counters, one buffer. The three words at INDIRECT_PATHS are a VkDispatchIndirectCommand.
