@@ -281,6 +281,18 @@ double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pa
   return sum;
 }
 
+double change_by_cosine(const BsdfCase& c, const DirectionPair& pair) {
+  if (const std::optional<ExactValue> right = exact_value(c, pair)) return right->cosine_change;
+  const auto* metal = std::get_if<bsdf::RoughConductor>(&c.bsdf);
+  if (metal == nullptr || metal->ior() || !is_above(pair)) return 0;
+  const Reflectance r = by_schlick(Reflection(pair).cosine, channels(metal->r0.value));
+  double largest = 0;
+  for (const Exact& value : r.values) {
+    if (value > 0) largest = std::max(largest, static_cast<double>(r.change / value));
+  }
+  return largest;
+}
+
 std::optional<ExactValue> exact_value(const BsdfCase& c, const DirectionPair& pair) {
   return std::visit([&](const auto& b) { return value(b, pair); }, c.bsdf);
 }

@@ -27,6 +27,9 @@ struct ExactValue {
 [[nodiscard]] std::optional<ExactValue> exact_value(const BsdfCase& c,
                                                     const statistics::DirectionPair& pair);
 
+/// ExactValue::cosine_change, of a reflectance alone where the value has no closed form.
+[[nodiscard]] double change_by_cosine(const BsdfCase& c, const statistics::DirectionPair& pair);
+
 /// Sum of the relative changes of the value when each component of the directions is rounded to its
 /// neighbour; infinite where the value vanishes, 0 without a closed form.
 [[nodiscard]] double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair);

@@ -199,8 +199,7 @@ double allowed_by_rounding(const BsdfCase& c, const DirectionPair& p) {
 /// The same by the model itself, where it has a closed form; the sample's cosine at its microfacet
 /// is rounded, too, and so is that of the value.
 double allowed_by_model(const BsdfCase& c, const DirectionPair& p) {
-  const std::optional<ExactValue> right = exact_value(c, p);
-  return right ? 1 + 1e5 * (change_by_rounding(c, p) + 2 * right->cosine_change) : 1;
+  return 1 + 1e5 * (change_by_rounding(c, p) + 2 * change_by_cosine(c, p));
 }
 
 /// deviation(draw, value of its direction): relative.
