@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "extremes/scene_parts.h"
+#include "shared/extreme_inputs.h"
 
 namespace facet::extremes {
 
@@ -42,6 +43,34 @@ Shadowed shadowed(Bench& bench, const ScenePtr& scene) {
   const std::uint64_t hits = rendered(bench, scene, request).nonzero();
   request.integrator = "ao";
   return {hits, hits - rendered(bench, scene, request).nonzero()};
+}
+
+std::string text_of_leaving(std::uint32_t index) {
+  std::string text;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const vec3 v = shared::extreme_corner(index, k);
+    text += fmt::format("({:.9g}, {:.9g}, {:.9g}), ", v.x, v.y, v.z);
+  }
+  const glm::vec4 n = shared::leaving_numbers(index);
+  return fmt::format("triangle {}weights {:.9g} and {:.9g}, cosine {:.9g}, azimuth {:.9g} turns",
+                     text, n.x, n.y, n.z, n.w);
+}
+
+Check leaving_check() {
+  Check check = surface_row(
+      "rays that leave a triangle do not meet it",
+      "triangles of sizes 2^-14 to 2, by the origin and up to 2^14 sizes away, needles to a width "
+      "of 2^-13, ones in a plane of the axes; points at edges and corners, directions grazing",
+      "rays that meet it", 0);
+  check.measure = [](Bench& bench) {
+    constexpr std::array inputs{WordRange{0, 1U << 28U}};
+    const Worst worst = bench.sweep(
+        Kernel::functions, shared::FUNCTION_MEETS_ITSELF, inputs,
+        [](std::uint32_t /*index*/, std::uint32_t met) { return static_cast<double>(met); });
+    return Finding{worst.inputs(), worst.sum(),
+                   worst.value() > 0 ? text_of_leaving(worst.word()) : ""};
+  };
+  return check;
 }
 
 float round_radius(const Vector3& /*direction*/) { return 1; }
@@ -193,7 +222,7 @@ std::vector<EdgeScene> surface_scenes() {
 }
 
 std::vector<Check> surface_checks() {
-  return {self_shadow_check(), terminator_check(),
+  return {leaving_check(), self_shadow_check(), terminator_check(),
           gap_check("surfaces 32 to 1024 times 2^-24 apart", {32, 64, 256, 1024}, ""),
           gap_check("surfaces 1 to 24 times 2^-24 apart", {1, 2, 4, 8, 16, 24}, too_near)};
 }

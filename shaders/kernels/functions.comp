@@ -5,6 +5,7 @@
 #include "../lib/choice.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/ggx.glsl"
+#include "../lib/triangle.glsl"
 #include "../lib/warp.glsl"
 #include "../shared/bindings.h"
 #include "../shared/extreme_inputs.h"
@@ -55,6 +56,22 @@ float of_model(uint index) {
   return FUNCTION == FUNCTION_TRIANGLE_U ? square_to_triangle(ab).x : square_to_triangle(ab).y;
 }
 
+/// 1 where a ray that leaves a triangle as a path's does meets it again.
+uint meets_itself(uint index) {
+  vec3 v0 = extreme_corner(index, 0u);
+  vec3 v1 = extreme_corner(index, 1u);
+  vec3 v2 = extreme_corner(index, 2u);
+  vec4 n = leaving_numbers(index);
+  vec3 ng = triangle_normal(v0, v1, v2);
+  vec2 turn = sincos_turns(n.w);
+  float sine = sqrt((1.0 - n.z) * (1.0 + n.z));
+  vec3 d = to_world(frame_from_normal(ng), vec3(sine * turn.y, sine * turn.x, n.z));
+  vec3 from = offset_ray_origin(triangle_point(v0, v1, v2, n.x, n.y),
+                                triangle_magnitude(v0, v1, v2), ng, d);
+  TraversalRay ray = traversal_ray(RayRecord(vec4(from, 0.0), vec4(d, LARGEST)));
+  return intersect_pair(ray, Corners(v0, v1, v2, v2), LARGEST).found ? 1u : 0u;
+}
+
 uint of_words(uint index) {
   uvec4 q = wide_quotient(index);
   return divide_wide(q.x, q.y, q.z);
@@ -66,6 +83,8 @@ void main() {
   uint index = range.first + i * range.stride;
   if (FUNCTION == FUNCTION_QUOTIENT) {
     results[i] = of_words(index);
+  } else if (FUNCTION == FUNCTION_MEETS_ITSELF) {
+    results[i] = meets_itself(index);
   } else {
     float y = FUNCTION < FUNCTION_FRESNEL_DIELECTRIC ? elementary(index) : of_model(index);
     results[i] = floatBitsToUint(y);

@@ -17,20 +17,6 @@ struct Surface {
   uint index;  // of the triangle in the scene, in order of reading
 };
 
-/// Unit normal of a triangle by its winding. Of two edges that are almost parallel only their
-/// perpendicular parts count, so that no digits cancel; the product of others has all digits as it
-/// is, and components that are 0 by symmetry stay so.
-vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
-  vec3 to_v2 = v2 - v0;
-  vec3 opposite = v2 - v1;
-  vec3 e = normalize_safe(v1 - v0);
-  // The shorter one: of a needle's two long edges, neither tells much of its width.
-  vec3 f = normalize_safe(dot3(to_v2, to_v2) <= dot3(opposite, opposite) ? to_v2 : opposite);
-  vec3 n = cross3(e, f);
-  vec3 of_thin = cross3(e, f - dot3(e, f) * e);
-  return normalize_safe(dot3(n, n) < 0.01 ? of_thin : n);
-}
-
 /// The point of a triangle with barycentric weights b1 and b2 of its second and third vertex in
 /// order of reading.
 Surface surface_at(uint triangle, float b1, float b2) {
@@ -38,9 +24,8 @@ Surface surface_at(uint triangle, float b1, float b2) {
   Vertices v = fetch_vertices(triangle, name.corners);
   float b0 = (1.0 - b1) - b2;
   Surface s;
-  s.position = (b0 * v.v0 + b1 * v.v1) + b2 * v.v2;
-  vec3 largest = max(abs(v.v0), max(abs(v.v1), abs(v.v2)));
-  s.magnitude = max(largest.x, max(largest.y, largest.z));
+  s.position = triangle_point(v.v0, v.v1, v.v2, b1, b2);
+  s.magnitude = triangle_magnitude(v.v0, v.v1, v.v2);
   s.ng = triangle_normal(v.v0, v.v1, v.v2);
   s.ns = s.ng;
   s.mesh = name.mesh;

@@ -60,6 +60,8 @@ FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Z = 19u;
 FACET_CONSTANT uint FUNCTION_TRIANGLE_U = 20u;  // numbers (a, b)
 FACET_CONSTANT uint FUNCTION_TRIANGLE_V = 21u;
 FACET_CONSTANT uint FUNCTION_QUOTIENT = 22u;  // of wide_quotient, in whole numbers
+// Of extreme_corner and leaving_numbers: whether a ray that leaves a triangle meets it again.
+FACET_CONSTANT uint FUNCTION_MEETS_ITSELF = 23u;
 
 /// Bits of a float that is often at an edge of something: half of them are of any kind and size,
 /// the others are near powers of two, denormal, infinite, NaN, 0, the least or largest, or of a
@@ -128,6 +130,48 @@ FACET_FUNCTION uvec4 wide_quotient(uint index) {
   bool largest = (index & 3u) == 0u;
   return uvec4(largest ? divisor - 1u : words.y % divisor, largest ? 0xffffffffu : words.z, divisor,
                0u);
+}
+
+/// Three numbers from -1 to 1.
+FACET_FUNCTION vec3 signed_numbers(uint index, uint which) {
+  uvec4 words = pcg4d(uvec4(index, which, 0u, 0x243f6a88u));
+  return vec3(float(words.x >> 8u), float(words.y >> 8u), float(words.z >> 8u)) * 1.1920929e-7f -
+         vec3(1.0f);
+}
+
+/// Corner k of a triangle: of every size from 2 down to 2^-14, about the origin, or beside a point
+/// of coordinates up to 1; a third are needles, down to a 2^-13th as wide as long, and a third lie
+/// in a plane of two axes.
+FACET_FUNCTION vec3 extreme_corner(uint index, uint k) {
+  uvec4 kinds = pcg4d(uvec4(index, 5u, 0u, 0x243f6a88u));
+  float size = 1.0f / float(1u << (kinds.x & 15u));
+  vec3 offset = (kinds.y & 3u) == 0u ? vec3(0.0f) : signed_numbers(index, 6u);
+  vec3 a = signed_numbers(index, 7u);
+  vec3 b = signed_numbers(index, 8u);
+  vec3 c = signed_numbers(index, 9u);
+  uint shape = kinds.z % 3u;
+  if (shape == 1u) {
+    float along = float(kinds.w >> 8u) * 5.96046448e-8f;
+    c = a + along * (b - a) + c / float(1u << (kinds.w & 7u) << ((kinds.w >> 3u) & 7u));
+  }
+  if (shape == 2u) {
+    b.y = a.y;
+    c.y = a.y;
+  }
+  vec3 chosen = k == 0u ? a : (k == 1u ? b : c);
+  return offset + size * chosen;
+}
+
+/// Weights of the second and third corner of a point of a triangle, and cosine and azimuth (in
+/// turns) of a direction that leaves it; the cosine is negative for half of them, often near 0.
+FACET_FUNCTION vec4 leaving_numbers(uint index) {
+  uvec4 words = pcg4d(uvec4(index, 10u, 0u, 0x243f6a88u));
+  uvec4 kinds = pcg4d(uvec4(index, 11u, 0u, 0x243f6a88u));
+  float b1 = edge_fraction(words.x, kinds.x);
+  float b2 = edge_fraction(words.y, kinds.y);
+  float cosine = edge_fraction(words.z, kinds.z);
+  return vec4(b1, (1.0f - b1) * b2, (kinds.w & 1u) == 0u ? cosine : -cosine,
+              edge_fraction(words.w, kinds.w >> 1u));
 }
 
 FACET_SHARED_END
