@@ -56,20 +56,26 @@ float of_model(uint index) {
   return FUNCTION == FUNCTION_TRIANGLE_U ? square_to_triangle(ab).x : square_to_triangle(ab).y;
 }
 
-/// 1 where a ray that leaves a triangle as a path's does meets it again.
-uint meets_itself(uint index) {
+/// What rounding has used up of the offset with which a ray leaves a triangle, as the test against
+/// it sees it; 2 where the ray meets the triangle again.
+float offset_used(uint index) {
   vec3 v0 = extreme_corner(index, 0u);
   vec3 v1 = extreme_corner(index, 1u);
   vec3 v2 = extreme_corner(index, 2u);
-  vec4 n = leaving_numbers(index);
+  vec4 numbers = leaving_numbers(index);
   vec3 ng = triangle_normal(v0, v1, v2);
-  vec2 turn = sincos_turns(n.w);
-  float sine = sqrt((1.0 - n.z) * (1.0 + n.z));
-  vec3 d = to_world(frame_from_normal(ng), vec3(sine * turn.y, sine * turn.x, n.z));
-  vec3 from = offset_ray_origin(triangle_point(v0, v1, v2, n.x, n.y),
-                                triangle_magnitude(v0, v1, v2), ng, d);
+  vec2 turn = sincos_turns(numbers.w);
+  float sine = sqrt((1.0 - numbers.z) * (1.0 + numbers.z));
+  vec3 d = to_world(frame_from_normal(ng), vec3(sine * turn.y, sine * turn.x, numbers.z));
+  float magnitude = triangle_magnitude(v0, v1, v2);
+  vec3 p = triangle_point(v0, v1, v2, numbers.x, numbers.y);
+  vec3 from = offset_ray_origin(p, magnitude, ng, d);
   TraversalRay ray = traversal_ray(RayRecord(vec4(from, 0.0), vec4(d, LARGEST)));
-  return intersect_pair(ray, Corners(v0, v1, v2, v2), LARGEST).found ? 1u : 0u;
+  if (intersect_pair(ray, Corners(v0, v1, v2, v2), LARGEST).found) return 2.0;
+  vec3 e = v2 - v0;
+  vec3 n = normalize_safe(plane_normal(e, e * (1.0 / dot3(e, e)), v1 - v0));
+  float offset = abs(dot3(n, offset_ray_origin(vec3(0.0), magnitude, ng, d)));
+  return 1.0 - abs(dot3(n, from - v0)) / offset;
 }
 
 uint of_words(uint index) {
@@ -83,8 +89,8 @@ void main() {
   uint index = range.first + i * range.stride;
   if (FUNCTION == FUNCTION_QUOTIENT) {
     results[i] = of_words(index);
-  } else if (FUNCTION == FUNCTION_MEETS_ITSELF) {
-    results[i] = meets_itself(index);
+  } else if (FUNCTION == FUNCTION_OFFSET_USED) {
+    results[i] = floatBitsToUint(offset_used(index));
   } else {
     float y = FUNCTION < FUNCTION_FRESNEL_DIELECTRIC ? elementary(index) : of_model(index);
     results[i] = floatBitsToUint(y);

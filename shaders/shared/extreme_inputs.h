@@ -60,8 +60,7 @@ FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Z = 19u;
 FACET_CONSTANT uint FUNCTION_TRIANGLE_U = 20u;  // numbers (a, b)
 FACET_CONSTANT uint FUNCTION_TRIANGLE_V = 21u;
 FACET_CONSTANT uint FUNCTION_QUOTIENT = 22u;  // of wide_quotient, in whole numbers
-// Of extreme_corner and leaving_numbers: whether a ray that leaves a triangle meets it again.
-FACET_CONSTANT uint FUNCTION_MEETS_ITSELF = 23u;
+FACET_CONSTANT uint FUNCTION_OFFSET_USED = 23u;  // of extreme_corner and leaving_numbers
 
 /// Bits of a float that is often at an edge of something: half of them are of any kind and size,
 /// the others are near powers of two, denormal, infinite, NaN, 0, the least or largest, or of a
