@@ -22,10 +22,10 @@ two, denormal, infinite, NaN, 0, the largest, or such that sums cancel (`shaders
 distance of neighbouring floats at the true value. **BSDFs** are compared with their definitions in 160
 bits (`host/extremes/bsdf_models.cpp`), which take the directions as they are, rounded to float. Three
 things are no error of a function, and its row says where they are taken off: where Beckmann's exponent
-exceeds ten, an error grows with it; beside the critical angle reflectance has an infinite slope, and an ulp
-of the cosine changes it by any factor; a sample's direction is rounded before its density is asked again,
+exceeds ten, an error grows with it; beside the critical angle reflectance has an infinite slope, and two ulp
+of the cosine change it by any factor; a sample's direction is rounded before its density is asked again,
 and a lobe may be narrower than that. What is seen of a value below 1e-30 counts as nothing. Microfacets'
-reflectance after Schlick, (1 - c)^5 beside c = 1, changes with an ulp of the cosine likewise.
+reflectance after Schlick, (1 - c)^5 beside c = 1, changes with them likewise.
 **Rays and triangles** meet in soups of any shape and size, and are compared with double; no ray may leak out
 of a closed mesh. **Surfaces**, **lights**, **images** and **scenes** are renders whose result is known: a
 convex body under an even sky loses no ray, a floor under a square lamp has its form factor, a scene times a

@@ -78,7 +78,8 @@ Exact fresnel(const Exact& c, const Exact& from, const Exact& to) {
   return (s * s + p * p) / 2;
 }
 
-/// A reflectance, and how far an ulp of the cosine moves it.
+/// A reflectance, and how far two ulp of the cosine move it: unit directions are rounded, and so
+/// are their sum, its length and the product.
 struct Reflectance {
   Channels values = all(0);
   Exact change = 0;
@@ -87,7 +88,7 @@ struct Reflectance {
   /// of(cosine), a function.
   template <typename Of>
   Reflectance(const Exact& cosine, const Of& of) : values(of(cosine)) {
-    for (const double by : {-0x1p-23, 0x1p-23}) {
+    for (const double by : {-0x1p-22, 0x1p-22}) {
       const Channels near = of(std::min(Exact(cosine * (1 + by)), Exact(1)));
       for (std::size_t i = 0; i < 3; ++i)
         change = std::max(change, Exact(abs(near.at(i) - values.at(i))));

@@ -10,14 +10,14 @@ namespace facet::extremes {
 /// Of one pair of directions.
 struct ExactValue {
   std::array<Exact, 3> f;  ///< sr^-1
-  /// What an error in a channel is relative to: the value, and 10^5 times what an ulp of the
-  /// cosine at the microfacet changes. That changes Schlick's (1 - c)^5 by any factor beside c = 1,
+  /// What an error in a channel is relative to: the value, and 10^5 times what two ulp of the
+  /// cosine at the microfacet change. That changes Schlick's (1 - c)^5 by any factor beside c = 1,
   /// and Fresnel's reflectance beside the critical angle, where its slope is infinite.
   std::array<Exact, 3> size;
   /// Squared tangent of the half vector over squared roughness: the exponent of Beckmann's
   /// distribution; 0 without a half vector.
   double exponent = 0;
-  /// Largest relative change of a channel by an ulp of that cosine.
+  /// Largest relative change of a channel by two ulp of that cosine.
   double cosine_change = 0;
   bool refracts = false;  ///< whether the directions are on different sides
 };
