@@ -63,6 +63,8 @@ struct Check {
 [[nodiscard]] std::vector<Check> elementary_checks();
 /// What models are made of: reflectances, microfacets, maps.
 [[nodiscard]] std::vector<Check> piece_checks();
+/// Triangles of emitters as they are seen from a point.
+[[nodiscard]] std::vector<Check> seen_triangle_checks();
 /// Every BSDF.
 [[nodiscard]] std::vector<Check> bsdf_checks();
 /// Rays through closed meshes and along axes.

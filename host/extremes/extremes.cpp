@@ -8,9 +8,9 @@ namespace facet::extremes {
 std::vector<Check> all_checks() {
   std::vector<Check> checks;
   for (std::vector<Check>& some :
-       std::array{arithmetic_checks(), elementary_checks(), piece_checks(), bsdf_checks(),
-                  leak_checks(), hit_checks(), surface_checks(), light_checks(), image_checks(),
-                  scene_checks(), parity_checks()})
+       std::array{arithmetic_checks(), elementary_checks(), piece_checks(), seen_triangle_checks(),
+                  bsdf_checks(), leak_checks(), hit_checks(), surface_checks(), light_checks(),
+                  image_checks(), scene_checks(), parity_checks()})
     checks.insert(checks.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
   return checks;
 }

@@ -84,6 +84,11 @@ struct SeenPiece {
   bool is_sampled_as_seen;  // or by area
 };
 
+SeenTriangle see_triangle(uint triangle, vec3 from) {
+  Vertices v = fetch_vertices(triangle, triangle_name(triangle).corners);
+  return see_corners(v.v0, v.v1, v.v2, from);
+}
+
 /// first is read of two triangles alone.
 SeenPiece see_piece(EmitterTriangle first, EmitterTriangle second, vec3 from) {
   bool two = is_one_of_two(second);

@@ -5,6 +5,7 @@
 #include "../lib/choice.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/ggx.glsl"
+#include "../lib/seen_triangle.glsl"
 #include "../lib/triangle.glsl"
 #include "../lib/warp.glsl"
 #include "../shared/bindings.h"
@@ -78,21 +79,29 @@ float offset_used(uint index) {
   return 1.0 - abs(dot3(n, from - v0)) / offset;
 }
 
+float of_seen(uint index) {
+  SeenTriangle t = see_corners(extreme_corner(index, 0u), extreme_corner(index, 1u),
+                               extreme_corner(index, 2u), extreme_viewer(index));
+  if (FUNCTION == FUNCTION_SEEN_SOLID_ANGLE) return t.solid_angle;
+  vec2 b = seen_point(t, leaving_numbers(index).xy);
+  return FUNCTION == FUNCTION_SEEN_POINT_B1 ? b.x : b.y;
+}
+
 uint of_words(uint index) {
   uvec4 q = wide_quotient(index);
   return divide_wide(q.x, q.y, q.z);
 }
 
+uint of_index(uint index) {
+  if (FUNCTION == FUNCTION_QUOTIENT) return of_words(index);
+  if (FUNCTION == FUNCTION_OFFSET_USED) return floatBitsToUint(offset_used(index));
+  if (FUNCTION >= FUNCTION_SEEN_SOLID_ANGLE) return floatBitsToUint(of_seen(index));
+  if (FUNCTION >= FUNCTION_FRESNEL_DIELECTRIC) return floatBitsToUint(of_model(index));
+  return floatBitsToUint(elementary(index));
+}
+
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= range.count) return;
-  uint index = range.first + i * range.stride;
-  if (FUNCTION == FUNCTION_QUOTIENT) {
-    results[i] = of_words(index);
-  } else if (FUNCTION == FUNCTION_OFFSET_USED) {
-    results[i] = floatBitsToUint(offset_used(index));
-  } else {
-    float y = FUNCTION < FUNCTION_FRESNEL_DIELECTRIC ? elementary(index) : of_model(index);
-    results[i] = floatBitsToUint(y);
-  }
+  results[i] = of_index(range.first + i * range.stride);
 }

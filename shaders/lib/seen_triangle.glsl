@@ -4,8 +4,7 @@
 #ifndef FACET_SEEN_TRIANGLE_GLSL
 #define FACET_SEEN_TRIANGLE_GLSL
 #include "elementary.glsl"
-#include "geometry.glsl"
-#include "surface.glsl"
+#include "triangle.glsl"
 
 struct SeenTriangle {
   vec3 a;  // unit directions to the vertices, in order of reading
@@ -17,21 +16,23 @@ struct SeenTriangle {
   float solid_angle;  // sr; NaN from a vertex
 };
 
-SeenTriangle see_triangle(uint triangle, vec3 from) {
-  Vertices v = fetch_vertices(triangle, triangle_name(triangle).corners);
+SeenTriangle see_corners(vec3 v0, vec3 v1, vec3 v2, vec3 from) {
   SeenTriangle t;
-  vec3 to0 = v.v0 - from;
-  vec3 to1 = v.v1 - from;
-  vec3 to2 = v.v2 - from;
+  vec3 to0 = v0 - from;
+  vec3 to1 = v1 - from;
+  vec3 to2 = v2 - from;
   t.distances = vec3(sqrt(dot3(to0, to0)), sqrt(dot3(to1, to1)), sqrt(dot3(to2, to2)));
   t.a = to0 / t.distances.x;
   t.b = to1 / t.distances.y;
   t.c = to2 / t.distances.z;
-  vec3 twice_area = cross3(v.v1 - v.v0, v.v2 - v.v0);
-  t.area = 0.5 * sqrt(dot3(twice_area, twice_area));
+  // Squares of lengths are all that has to be within a float's range.
+  vec3 e = v1 - v0;
+  float length_of_e = sqrt(dot3(e, e));
+  vec3 across = cross3(e / length_of_e, v2 - v0);
+  t.area = 0.5 * (length_of_e * sqrt(dot3(across, across)));
   // By the distance from the plane: the product of the directions has few digits of a small
   // triangle.
-  float height = abs(dot3(triangle_normal(v.v0, v.v1, v.v2), t.a));
+  float height = abs(dot3(triangle_normal(v0, v1, v2), t.a));
   t.volume = height * (2.0 * t.area / (t.distances.y * t.distances.z));
   float sum = 1.0 + dot3(t.a, t.b) + dot3(t.b, t.c) + dot3(t.c, t.a);
   t.solid_angle = 2.0 * atan2_accurate(t.volume, sum);
@@ -43,7 +44,6 @@ SeenTriangle see_triangle(uint triangle, vec3 from) {
 /// on that arc.
 vec2 seen_point(SeenTriangle t, vec2 u) {
   float ab = dot3(t.a, t.b);
-  float bc = dot3(t.b, t.c);
   float ca = dot3(t.c, t.a);
   // sin and cos of half the part's solid angle.
   vec2 half_part = sincos_turns(u.x * t.solid_angle * 0.0795774715);
@@ -51,7 +51,8 @@ vec2 seen_point(SeenTriangle t, vec2 u) {
   vec3 across = cross3(t.a, t.c);
   float sin_ca = sqrt(dot3(across, across));
   float x = (1.0 + ab) * half_part.x * sin_ca;
-  float y = t.volume * half_part.y - (bc - ca * ab) * half_part.x;
+  // The last product is b . c - (a . b) (a . c), whose digits cancel where the triangle looks small.
+  float y = t.volume * half_part.y - dot3(cross3(t.a, t.b), across) * half_part.x;
   float size = sin_ca * (x * x + y * y);
   float of_a = max(sin_ca * (y * y - x * x) - 2.0 * ca * x * y, 0.0) / size;
   float of_c = 2.0 * x * y / size;

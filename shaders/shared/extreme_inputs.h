@@ -59,8 +59,12 @@ FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Y = 18u;
 FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Z = 19u;
 FACET_CONSTANT uint FUNCTION_TRIANGLE_U = 20u;  // numbers (a, b)
 FACET_CONSTANT uint FUNCTION_TRIANGLE_V = 21u;
-FACET_CONSTANT uint FUNCTION_QUOTIENT = 22u;  // of wide_quotient, in whole numbers
+FACET_CONSTANT uint FUNCTION_QUOTIENT = 22u;     // of wide_quotient, in whole numbers
 FACET_CONSTANT uint FUNCTION_OFFSET_USED = 23u;  // of extreme_corner and leaving_numbers
+// Of extreme_corner, seen from extreme_viewer, and of the weights in leaving_numbers as (u, v).
+FACET_CONSTANT uint FUNCTION_SEEN_SOLID_ANGLE = 24u;
+FACET_CONSTANT uint FUNCTION_SEEN_POINT_B1 = 25u;
+FACET_CONSTANT uint FUNCTION_SEEN_POINT_B2 = 26u;
 
 /// Bits of a float that is often at an edge of something: half of them are of any kind and size,
 /// the others are near powers of two, denormal, infinite, NaN, 0, the least or largest, or of a
@@ -138,13 +142,18 @@ FACET_FUNCTION vec3 signed_numbers(uint index, uint which) {
          vec3(1.0f);
 }
 
-/// Corner k of a triangle: of every size from 2 down to 2^-14, about the origin, or beside a point
-/// of coordinates up to 1; a third are needles, down to a 2^-13th as wide as long, and a third lie
-/// in a plane of two axes.
+/// Size of a triangle, a power of two from 2^-15 to 1, and the point beside which it lies: the
+/// origin, or any of coordinates up to 1.
+FACET_FUNCTION vec4 extreme_place(uint index) {
+  uvec4 kinds = pcg4d(uvec4(index, 5u, 0u, 0x243f6a88u));
+  vec3 offset = (kinds.y & 3u) == 0u ? vec3(0.0f) : signed_numbers(index, 6u);
+  return vec4(offset, 1.0f / float(1u << (kinds.x & 15u)));
+}
+
+/// Corner k of such a triangle. A third are needles, down to a 2^-13th as wide as long, and a third
+/// lie in a plane of two axes.
 FACET_FUNCTION vec3 extreme_corner(uint index, uint k) {
   uvec4 kinds = pcg4d(uvec4(index, 5u, 0u, 0x243f6a88u));
-  float size = 1.0f / float(1u << (kinds.x & 15u));
-  vec3 offset = (kinds.y & 3u) == 0u ? vec3(0.0f) : signed_numbers(index, 6u);
   vec3 a = signed_numbers(index, 7u);
   vec3 b = signed_numbers(index, 8u);
   vec3 c = signed_numbers(index, 9u);
@@ -158,7 +167,16 @@ FACET_FUNCTION vec3 extreme_corner(uint index, uint k) {
     c.y = a.y;
   }
   vec3 chosen = k == 0u ? a : (k == 1u ? b : c);
-  return offset + size * chosen;
+  vec4 place = extreme_place(index);
+  return vec3(place.x, place.y, place.z) + place.w * chosen;
+}
+
+/// A point near that triangle, or up to 16 of its sizes away.
+FACET_FUNCTION vec3 extreme_viewer(uint index) {
+  uvec4 kinds = pcg4d(uvec4(index, 12u, 0u, 0x243f6a88u));
+  vec4 place = extreme_place(index);
+  return vec3(place.x, place.y, place.z) +
+         place.w * (float(1u << (kinds.x & 3u) << (kinds.y & 1u)) * signed_numbers(index, 13u));
 }
 
 /// Weights of the second and third corner of a point of a triangle, and cosine and azimuth (in

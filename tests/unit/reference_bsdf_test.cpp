@@ -2,7 +2,8 @@
 // physics says of them.
 #include <gtest/gtest.h>
 
-#include "support/bsdf_definition.h"
+#include "extremes/bsdf_models.h"
+#include "support/bsdfs.h"
 
 namespace facet::test {
 namespace {
@@ -151,16 +152,19 @@ void for_each_pair(bool above, const Check& check) {
 TEST(ReferenceBsdf, values_are_their_definitions) {
   Unwatched probe;
   for (const bsdf::MicrofacetOptions& options : {rational_beckmann, exact_beckmann, ggx}) {
-    const float alpha = 0.4F;
-    const BsdfDefinition definition(static_cast<double>(alpha), options);
-    for (const NamedBsdf& b : rough_bsdfs(alpha, options)) {
+    for (const NamedBsdf& b : rough_bsdfs(0.4F, options)) {
+      extremes::BsdfCase model_case;
+      model_case.bsdf = b.bsdf;
       int positive = 0;
       for_each_pair(b.name != "roughdielectric", [&](const Direction& wo, const Direction& wi) {
         const auto model = make_bsdf<double>(b.bsdf, LobeSampling::visible, wo.z < 0);
-        for (int k = 0; k < 3; ++k) {
-          const double expected = definition.value(b.name, wo, wi, k);
-          EXPECT_NEAR(model.eval(wo, wi, probe)[k], expected, 1e-6 * expected) << b.name;
-          positive += expected > 0 ? 1 : 0;
+        const statistics::DirectionPair pair{vec3(wo), vec3(wi)};
+        const std::optional<extremes::ExactValue> expected = exact_value(model_case, pair);
+        const Direction value = model.eval(Direction(pair.wo), Direction(pair.wi), probe);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto f = static_cast<double>(expected->f.at(k));
+          EXPECT_NEAR(value[static_cast<int>(k)], f, 1e-6 * f) << b.name;
+          positive += f > 0 ? 1 : 0;
         }
       });
       EXPECT_GE(positive, 150) << b.name;
