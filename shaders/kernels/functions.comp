@@ -68,8 +68,11 @@ float offset_used(uint index) {
   vec2 turn = sincos_turns(numbers.w);
   float sine = sqrt((1.0 - numbers.z) * (1.0 + numbers.z));
   vec3 d = to_world(frame_from_normal(ng), vec3(sine * turn.y, sine * turn.x, numbers.z));
-  float magnitude = triangle_magnitude(v0, v1, v2);
-  vec3 p = triangle_point(v0, v1, v2, numbers.x, numbers.y);
+  // As surface_at (lib/surface.glsl), whose code would grow by calls.
+  float b0 = (1.0 - numbers.x) - numbers.y;
+  vec3 p = (b0 * v0 + numbers.x * v1) + numbers.y * v2;
+  vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
+  float magnitude = max(largest.x, max(largest.y, largest.z));
   vec3 from = offset_ray_origin(p, magnitude, ng, d);
   TraversalRay ray = traversal_ray(RayRecord(vec4(from, 0.0), vec4(d, LARGEST)));
   if (intersect_pair(ray, Corners(v0, v1, v2, v2), LARGEST).found) return 2.0;

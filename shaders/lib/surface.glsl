@@ -24,8 +24,9 @@ Surface surface_at(uint triangle, float b1, float b2) {
   Vertices v = fetch_vertices(triangle, name.corners);
   float b0 = (1.0 - b1) - b2;
   Surface s;
-  s.position = triangle_point(v.v0, v.v1, v.v2, b1, b2);
-  s.magnitude = triangle_magnitude(v.v0, v.v1, v.v2);
+  s.position = (b0 * v.v0 + b1 * v.v1) + b2 * v.v2;
+  vec3 largest = max(abs(v.v0), max(abs(v.v1), abs(v.v2)));
+  s.magnitude = max(largest.x, max(largest.y, largest.z));
   s.ng = triangle_normal(v.v0, v.v1, v.v2);
   s.ns = s.ng;
   s.mesh = name.mesh;

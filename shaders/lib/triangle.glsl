@@ -18,18 +18,6 @@ vec3 triangle_normal(vec3 v0, vec3 v1, vec3 v2) {
   return normalize_safe(dot3(n, n) < 0.01 ? of_thin : n);
 }
 
-/// Its point with barycentric weights b1 and b2 of v1 and v2.
-vec3 triangle_point(vec3 v0, vec3 v1, vec3 v2, float b1, float b2) {
-  float b0 = (1.0 - b1) - b2;
-  return (b0 * v0 + b1 * v1) + b2 * v2;
-}
-
-/// Its largest absolute coordinate.
-float triangle_magnitude(vec3 v0, vec3 v1, vec3 v2) {
-  vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
-  return max(largest.x, max(largest.y, largest.z));
-}
-
 /// Corners of an item's triangles, world space.
 struct Corners {
   vec3 c0;

@@ -51,8 +51,7 @@ TEST_F(RenderWarningsCliTest, WarnsOfPixelsNarrowerThanDirectionsCanTell) {
 TEST_F(RenderWarningsCliTest, WarnsOfScenesThatFloatsCannotHold) {
   const auto warnings = [&](const std::string& far) {
     folder_.write("huge.obj", "v 0 0 0\nv " + far + " 0 0\nv 0 " + far + " 0\nf 1 2 3\n");
-    write_scene("huge.xml",
-                R"(<mesh type="obj"><string name="filename" value="huge.obj"/></mesh>)");
+    write_scene("huge.xml", mesh("huge.obj", "") + light());
     return run({"render", "huge.xml", "-o", "a.exr", "--quiet"}).err;
   };
   expect_words(warnings("1e30"), {"huge.xml", "1e+30", "in double"});

@@ -163,7 +163,8 @@ TEST(ReferenceBsdf, values_are_their_definitions) {
         const Direction value = model.eval(Direction(pair.wo), Direction(pair.wi), probe);
         for (std::size_t k = 0; k < 3; ++k) {
           const auto f = static_cast<double>(expected->f.at(k));
-          EXPECT_NEAR(value[static_cast<int>(k)], f, 1e-6 * f) << b.name;
+          // Beckmann's distribution ends at e^-87 (docs/sampling.md).
+          EXPECT_NEAR(value[static_cast<int>(k)], f, 1e-6 * f + 1e-34) << b.name;
           positive += f > 0 ? 1 : 0;
         }
       });
