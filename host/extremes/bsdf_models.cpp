@@ -101,9 +101,12 @@ Reflectance of_dielectric(const Exact& cosine, const Exact& from, const Exact& t
   return {cosine, [&](const Exact& c) { return all(fresnel(c, from, to)); }};
 }
 
-/// What a dielectric lets through.
+/// What a dielectric lets through: formed as 1 less the reflectance, which is rounded to float and
+/// near 1 at grazing angles.
 Reflectance through_dielectric(const Exact& cosine, const Exact& from, const Exact& to) {
-  return {cosine, [&](const Exact& c) { return all(1 - fresnel(c, from, to)); }};
+  Reflectance r(cosine, [&](const Exact& c) { return all(1 - fresnel(c, from, to)); });
+  r.change += 0x1p-23;
+  return r;
 }
 
 /// Schlick's, of r0 at normal incidence.

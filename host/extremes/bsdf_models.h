@@ -12,7 +12,8 @@ struct ExactValue {
   std::array<Exact, 3> f;  ///< sr^-1
   /// What an error in a channel is relative to: the value, and 10^5 times what two ulp of the
   /// cosine at the microfacet change. That changes Schlick's (1 - c)^5 by any factor beside c = 1,
-  /// and Fresnel's reflectance beside the critical angle, where its slope is infinite.
+  /// and Fresnel's reflectance beside the critical angle, where its slope is infinite. Of what is
+  /// let through, two roundings of 1, too.
   std::array<Exact, 3> size;
   /// Squared tangent of the half vector over squared roughness: the exponent of Beckmann's
   /// distribution; 0 without a half vector.
