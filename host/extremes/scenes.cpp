@@ -147,14 +147,22 @@ Check size_check() {
   Check check =
       scene_row("size of the scene",
                 "times 2^-55 to 2^60, against the scene itself; densities of points on the lamp "
-                "from 1e-36 to 1e33",
+                "from 1e-36 to 1e33, points by area and by solid angle",
                 "values that differ in any bit", 0);
   check.measure = [](Bench& bench) {
     Finding finding;
-    const Image one = rendered(bench, pyramid({})).image();
-    for (int e = -55; e <= 60; e += 5) {
-      const Image image = rendered(bench, pyramid({.scale = std::ldexp(1.0F, e)})).image();
-      finding.add(count_different(image, one), [&] { return fmt::format("2^{}", e); });
+    for (const AreaSampling sampling : {AreaSampling::area, AreaSampling::solid_angle}) {
+      RenderRequest request;
+      request.area_sampling = sampling;
+      const Image one = rendered(bench, pyramid({}), request).image();
+      for (int e = -55; e <= 60; e += 5) {
+        const Image image =
+            rendered(bench, pyramid({.scale = std::ldexp(1.0F, e)}), request).image();
+        finding.add(count_different(image, one), [&] {
+          return fmt::format("2^{}, points by {}", e,
+                             sampling == AreaSampling::area ? "area" : "solid angle");
+        });
+      }
     }
     return finding;
   };

@@ -22,7 +22,9 @@ class SeenTriangle {
         cosine_ca_(glm::dot(c_, a_)) {
     // Of the parallelepiped that the vertices span, by its height; that of the unit directions is
     // smaller by the product of the distances.
-    const Real twice_area = glm::length(glm::cross(v1 - v0, v2 - v0));
+    const Vec3<Real> edge = v1 - v0;
+    const Real length = glm::length(edge);
+    const Real twice_area = length * glm::length(glm::cross(edge / length, v2 - v0));
     const Real height = std::abs(glm::dot(normal, v0 - from));
     volume_ = height * twice_area / (distances_.x * distances_.y * distances_.z);
     solid_angle_ = 2 * std::atan2(volume_, 1 + cosine_ab_ + cosine_bc_ + cosine_ca_);
@@ -38,9 +40,11 @@ class SeenTriangle {
     // the tangent of half that angle.
     const Real part = u * solid_angle_ / 2;
     const Real sine = std::sin(part);
-    const Real sine_ca = glm::length(glm::cross(a_, c_));
+    const Vec3<Real> across = glm::cross(a_, c_);
+    const Real sine_ca = glm::length(across);
     const Real opposite = (1 + cosine_ab_) * sine * sine_ca;
-    const Real adjacent = volume_ * std::cos(part) - (cosine_bc_ - cosine_ca_ * cosine_ab_) * sine;
+    // b . c - (a . b) (a . c), in products that keep their digits where the triangle looks small.
+    const Real adjacent = volume_ * std::cos(part) - glm::dot(glm::cross(a_, b_), across) * sine;
     const Real angle = 2 * std::atan2(opposite, adjacent);
     const Real whole = std::atan2(sine_ca, cosine_ca_);
     const Real of_a = std::sin(std::max(whole - angle, Real(0))) / sine_ca;
