@@ -264,7 +264,7 @@ void round_component(vec3& v, int component, float sign) {
 
 }  // namespace
 
-double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair) {
+double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair, RelativeTo to) {
   const std::optional<ExactValue> right = exact_value(c, pair);
   if (!right) return 0;
   double sum = 0;
@@ -276,8 +276,8 @@ double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pa
       const std::optional<ExactValue> value = exact_value(c, moved);
       for (std::size_t i = 0; i < 3; ++i) {
         const Exact change = abs(value->f.at(i) - right->f.at(i));
-        if (change != 0)
-          largest = std::max(largest, static_cast<double>(change / right->size.at(i)));
+        const Exact& whole = to == RelativeTo::value ? right->f.at(i) : right->size.at(i);
+        if (change != 0) largest = std::max(largest, static_cast<double>(change / whole));
       }
     }
     sum += largest;

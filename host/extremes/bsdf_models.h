@@ -31,8 +31,12 @@ struct ExactValue {
 /// ExactValue::cosine_change, of a reflectance alone where the value has no closed form.
 [[nodiscard]] double change_by_cosine(const BsdfCase& c, const statistics::DirectionPair& pair);
 
-/// Sum of the relative changes of the value when each component of the directions is rounded to its
-/// neighbour; infinite where the value vanishes, 0 without a closed form.
-[[nodiscard]] double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair);
+enum class RelativeTo { value, size };
+
+/// Sum of the changes of the value when each component of the directions is rounded to its
+/// neighbour, relative to ExactValue::f or size; infinite where that vanishes, 0 without a closed
+/// form.
+[[nodiscard]] double change_by_rounding(const BsdfCase& c, const statistics::DirectionPair& pair,
+                                        RelativeTo to);
 
 }  // namespace facet::extremes
