@@ -51,7 +51,8 @@ vec2 seen_point(SeenTriangle t, vec2 u) {
   vec3 across = cross3(t.a, t.c);
   float sin_ca = sqrt(dot3(across, across));
   float x = (1.0 + ab) * half_part.x * sin_ca;
-  // The last product is b . c - (a . b) (a . c), whose digits cancel where the triangle looks small.
+  // The last product is b . c - (a . b) (a . c), whose digits cancel where the triangle looks
+  // small.
   float y = t.volume * half_part.y - dot3(cross3(t.a, t.b), across) * half_part.x;
   float size = sin_ca * (x * x + y * y);
   float of_a = max(sin_ca * (y * y - x * x) - 2.0 * ca * x * y, 0.0) / size;
