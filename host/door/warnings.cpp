@@ -13,11 +13,10 @@ namespace facet {
 
 namespace {
 
-/// Whether the whole scene lies before the near or beyond the far clip plane.
-bool is_clipped_away(const Scene& scene) {
-  const Box box = scene.bounds();
+/// Whether the whole box lies before the near or beyond the far clip plane.
+bool is_clipped_away(const Camera& camera, const Box& box) {
   if (box.empty()) return false;
-  const dmat4 to_camera = glm::inverse(scene.camera.to_world);
+  const dmat4 to_camera = glm::inverse(camera.to_world);
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
   for (int corner = 0; corner < 8; ++corner) {
@@ -28,7 +27,7 @@ bool is_clipped_away(const Scene& scene) {
     nearest = std::min(nearest, z);
     farthest = std::max(farthest, z);
   }
-  return nearest > scene.camera.far_clip || (farthest > 0 && farthest < scene.camera.near_clip);
+  return nearest > camera.far_clip || (farthest > 0 && farthest < camera.near_clip);
 }
 
 /// Whether no triangle of the mesh has an area that the renderer can hold.
@@ -118,15 +117,14 @@ void warn_about_coinciding_emitters(const Scene& scene, Diagnostics& diagnostics
 }
 
 /// Squares of lengths have to be within a float's range, those of a scene's details as well.
-void warn_about_size(const Scene& scene, Diagnostics& diagnostics) {
-  const Box box = scene.bounds();
+void warn_about_size(const SourceLocation& where, const Box& box, Diagnostics& diagnostics) {
   if (box.empty()) return;
   const dvec3 farthest = glm::max(glm::abs(dvec3(box.lower)), glm::abs(dvec3(box.upper)));
   const double size = std::max({farthest.x, farthest.y, farthest.z});
   constexpr double smallest = 1e-15;
   constexpr double largest = 1e18;
   if (size == 0 || (size >= smallest && size <= largest)) return;
-  diagnostics.warn({scene.file.string(), 0},
+  diagnostics.warn(where,
                    fmt::format("the largest coordinate is {:.2g}: single precision computes with "
                                "scenes of {:g} to {:g}, this image will be wrong; the reference in "
                                "double does not mind",
@@ -160,6 +158,7 @@ void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagn
                        bool in_double) {
   const Integrator& integrator = settings.integrator;
   const SourceLocation where{scene.file.string(), 0};
+  const Box bounds = scene.bounds();
   if (scene.triangle_count() == 0) diagnostics.warn(where, "the scene has no triangles");
   if (integrator.needs_emitters() && scene.emitters.empty()) {
     diagnostics.warn(
@@ -185,10 +184,10 @@ void warn_about_render(const Scene& scene, const RenderSettings& settings, Diagn
   }
   warn_about_coinciding_emitters(scene, diagnostics);
   if (!in_double) {
-    warn_about_size(scene, diagnostics);
+    warn_about_size(where, bounds, diagnostics);
     warn_about_narrow_pixels(scene, settings, diagnostics);
   }
-  if (is_clipped_away(scene)) {
+  if (is_clipped_away(scene.camera, bounds)) {
     diagnostics.warn(
         where,
         fmt::format(

@@ -7,6 +7,7 @@
 
 #include "gpu/commands.h"
 #include "shared/bindings.h"
+#include "shared/extreme_inputs.h"
 
 namespace facet::extremes {
 
@@ -31,6 +32,14 @@ struct RangeConstants {
 
 std::string float_text(std::uint32_t word) {
   return fmt::format("{:.9g} ({:#010x})", as_float(word), word);
+}
+
+std::string triangle_text(std::uint32_t index) {
+  const auto corner = [index](std::uint32_t k) {
+    const vec3 v = shared::extreme_corner(index, k);
+    return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
+  };
+  return fmt::format("triangle {}, {}, {}", corner(0), corner(1), corner(2));
 }
 
 void Worst::add(std::uint32_t word, double deviation) {

@@ -27,6 +27,9 @@ struct WordRange {
 /// "0.1 (0x3dcccccd)": the float with these bits, and the bits.
 [[nodiscard]] std::string float_text(std::uint32_t word);
 
+/// "triangle (...), (...), (...)": the corners of shared/extreme_inputs.h of that index.
+[[nodiscard]] std::string triangle_text(std::uint32_t index);
+
 /// The floats from `low` to `high`, both of the same sign, |low| <= |high|.
 [[nodiscard]] inline WordRange floats(float low, float high) {
   return {as_word(low), std::uint64_t{as_word(high)} - as_word(low) + 1};

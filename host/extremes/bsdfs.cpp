@@ -154,10 +154,7 @@ Check soundness_check(std::size_t id) {
   check.measure = [id](Bench& bench) {
     Finding finding;
     const auto note = [&](bool sound, const BsdfCase& c, const DirectionPair& p) {
-      ++finding.inputs;
-      if (sound) return;
-      if (finding.worst == 0) finding.at = text(c, p);
-      finding.worst += 1;
+      finding.count(1, sound ? 0 : 1, [&] { return text(c, p); });
     };
     for_each_batch(
         bench, id,

@@ -29,6 +29,16 @@ struct Finding {
     worst = deviation;
     at = describe();
   }
+
+  /// Counts inputs of which so many are wrong, and describes the first that are: the worst is their
+  /// number.
+  template <typename Describe>
+  void count(std::uint64_t tried, std::uint64_t wrong, const Describe& describe) {
+    inputs += tried;
+    if (wrong == 0) return;
+    if (worst == 0) at = describe();
+    worst += static_cast<double>(wrong);
+  }
 };
 
 /// One row of the table: over a range of inputs, something stays within a limit.

@@ -48,14 +48,9 @@ Check frame_check(const char* name, const char* range, std::vector<Frame> frames
     constexpr float radiance = 0.7F;
     for (const Frame& f : frames) {
       const Image image = rendered(bench, sky(radiance, f.width, f.height, f.fov)).image();
-      double worst = image.width() == f.width && image.height() == f.height
-                         ? 0
-                         : std::numeric_limits<double>::infinity();
-      for_each_value(image, image, [&](double a, double /*b*/) {
-        const double error = std::abs(a / static_cast<double>(radiance) - 1);
-        worst = error <= worst ? worst : error;
-      });
-      finding.add(worst,
+      const bool whole = image.width() == f.width && image.height() == f.height;
+      finding.add(whole ? largest_error(image, static_cast<double>(radiance))
+                        : std::numeric_limits<double>::infinity(),
                   [&] { return fmt::format("{} x {}, {} degrees", f.width, f.height, f.fov); });
     }
     return finding;

@@ -79,10 +79,8 @@ Finding leaks(Bench& bench, const std::vector<Body>& bodies, std::uint64_t count
         for (std::size_t i = begin; i < end; ++i) rays[i] = ray_to_edge(body, random);
       });
       const auto note = [&](std::size_t i, bool hit) {
-        ++finding.inputs;
-        if (hit) return;
-        if (finding.worst == 0) finding.at = fmt::format("{}, {}", body.name, ray_text(rays[i]));
-        finding.worst += 1;
+        finding.count(1, hit ? 0 : 1,
+                      [&] { return fmt::format("{}, {}", body.name, ray_text(rays[i])); });
       };
       const std::size_t half = rays.size() / 2;
       const std::vector<bool> any = target.any(std::span(rays).first(half));
@@ -156,16 +154,15 @@ TriangleMesh lattice(int half) {
   const TriangleMesh face = grid(2 * half, 1, false);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const float side : {-1.0F, 1.0F}) {
-      const auto first = static_cast<std::uint32_t>(cube.positions.size());
-      for (const Vector3& p : face.positions) {
+      TriangleMesh turned = face;
+      for (Vector3& p : turned.positions) {
         Vector3 q{};
         q.at(axis) = static_cast<float>(half) * side;
         q.at((axis + 1) % 3) = static_cast<float>(half) * p[0];
         q.at((axis + 2) % 3) = static_cast<float>(half) * p[2];
-        cube.positions.push_back(q);
+        p = q;
       }
-      for (const auto& t : face.triangles)
-        cube.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      append(cube, turned);
     }
   }
   return cube;
@@ -193,10 +190,8 @@ Check lattice_check() {
             right = std::min(
                 right, static_cast<float>(half) - rays[i].origin[axis] * rays[i].direction[axis]);
         }
-        ++finding.inputs;
-        if (any[i] && hits[i].triangle != shared::NONE && hits[i].t == right) continue;
-        if (finding.worst == 0) finding.at = ray_text(rays[i]);
-        finding.worst += 1;
+        const bool exact = any[i] && hits[i].triangle != shared::NONE && hits[i].t == right;
+        finding.count(1, exact ? 0 : 1, [&] { return ray_text(rays[i]); });
       }
     }
     return finding;

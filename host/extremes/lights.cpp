@@ -84,11 +84,7 @@ ScenePtr under(const TriangleMesh& lamp) {
 /// A lamp of two triangles, and 2 count^2 tiny ones beside it.
 TriangleMesh uneven_lamp(int count) {
   TriangleMesh lamp = moved(grid(count, 1, false), {1e-4F, 1, 1e-4F}, {1.5F, 0, 0});
-  const auto first = static_cast<std::uint32_t>(lamp.positions.size());
-  const TriangleMesh large = grid(1, 1, false);
-  lamp.positions.insert(lamp.positions.end(), large.positions.begin(), large.positions.end());
-  for (const auto& t : large.triangles)
-    lamp.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  append(lamp, grid(1, 1, false));
   return lamp;
 }
 

@@ -110,6 +110,13 @@ TriangleMesh ball(int level, const std::function<float(const Vector3&)>& radius)
   return mesh;
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  for (const auto& t : other.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
 TriangleMesh moved(TriangleMesh mesh, const Vector3& scale, const Vector3& offset) {
   for (Vector3& p : mesh.positions) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -170,6 +177,20 @@ Image Rendered::image() const {
     }
   }
   return image;
+}
+
+double largest_error(const Image& image, double right) {
+  double worst = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const double error = std::abs(static_cast<double>(image.at(x, y, c)) / right - 1);
+        if (std::isnan(error)) return error;
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  return worst;
 }
 
 double count_different(const Image& a, const Image& b) {

@@ -23,6 +23,9 @@ namespace facet::extremes {
 /// `radius(direction)`.
 [[nodiscard]] TriangleMesh ball(int level, const std::function<float(const Vector3&)>& radius);
 
+/// Adds the triangles of another mesh, which has neither normals nor texture coordinates.
+void append(TriangleMesh& mesh, const TriangleMesh& other);
+
 /// Each coordinate times its scale, plus offset, rounded to float once.
 [[nodiscard]] TriangleMesh moved(TriangleMesh mesh, const Vector3& scale, const Vector3& offset);
 
@@ -71,6 +74,9 @@ void for_each_value(const Image& a, const Image& b, const Body& body) {
     }
   }
 }
+
+/// Largest relative error of a channel of an image that is `right` everywhere; NaN where one is.
+[[nodiscard]] double largest_error(const Image& image, double right);
 
 /// Channels that differ.
 [[nodiscard]] double count_different(const Image& a, const Image& b);

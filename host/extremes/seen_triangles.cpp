@@ -141,15 +141,10 @@ double yardstick_of(std::uint32_t index, bool clear) {
 }
 
 std::string text_of_view(std::uint32_t index) {
-  std::string text = "triangle ";
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const vec3 v = shared::extreme_corner(index, k);
-    text += fmt::format("({:.9g}, {:.9g}, {:.9g}), ", v.x, v.y, v.z);
-  }
   const vec3 from = shared::extreme_viewer(index);
   const glm::vec4 n = shared::leaving_numbers(index);
-  return fmt::format("{}from ({:.9g}, {:.9g}, {:.9g}), u {:.9g}, v {:.9g}", text, from.x, from.y,
-                     from.z, n.x, n.y);
+  return fmt::format("{}, from ({:.9g}, {:.9g}, {:.9g}), u {:.9g}, v {:.9g}", triangle_text(index),
+                     from.x, from.y, from.z, n.x, n.y);
 }
 
 constexpr WordRange views{0, 1U << 24U};

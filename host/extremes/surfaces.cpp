@@ -46,14 +46,9 @@ Shadowed shadowed(Bench& bench, const ScenePtr& scene) {
 }
 
 std::string text_of_leaving(std::uint32_t index) {
-  std::string text;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const vec3 v = shared::extreme_corner(index, k);
-    text += fmt::format("({:.9g}, {:.9g}, {:.9g}), ", v.x, v.y, v.z);
-  }
   const glm::vec4 n = shared::leaving_numbers(index);
-  return fmt::format("triangle {}weights {:.9g} and {:.9g}, cosine {:.9g}, azimuth {:.9g} turns",
-                     text, n.x, n.y, n.z, n.w);
+  return fmt::format("{}, weights {:.9g} and {:.9g}, cosine {:.9g}, azimuth {:.9g} turns",
+                     triangle_text(index), n.x, n.y, n.z, n.w);
 }
 
 Check leaving_check() {
@@ -98,11 +93,10 @@ Check self_shadow_check() {
           const LookAt view{.origin = sum(middle, scaled(size, {2, 1.5F, -2})), .target = middle};
           const Shadowed s =
               shadowed(bench, alone(moved(body.mesh, {size, size, size}, middle), view, 40));
-          finding.inputs += s.samples;
-          if (s.dark > 0 && finding.worst == 0)
-            finding.at = fmt::format("{}, {:g} large, {:g} sizes from the origin", body.name, size,
-                                     std::hypot(place[0], place[1], place[2]));
-          finding.worst += static_cast<double>(s.dark);
+          finding.count(s.samples, s.dark, [&] {
+            return fmt::format("{}, {:g} large, {:g} sizes from the origin", body.name, size,
+                               std::hypot(place[0], place[1], place[2]));
+          });
         }
       }
     }

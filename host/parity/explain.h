@@ -21,8 +21,8 @@ struct Tolerance {
   double spread_factor = 8;
 };
 
-/// Of a device. Vulkan allows division 2.5 ulp and square roots about 3, where a CPU's drivers round
-/// correctly: elsewhere each perturbation by one ulp stands for three.
+/// Of a device. Vulkan allows division 2.5 ulp and square roots about 3, where a CPU's drivers
+/// round correctly: elsewhere each perturbation by one ulp stands for three.
 [[nodiscard]] inline Tolerance tolerance_on(bool cpu) {
   Tolerance tolerance;
   if (!cpu) tolerance.spread_factor *= 3;
