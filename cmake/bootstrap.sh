@@ -8,7 +8,7 @@
 set -eu
 
 packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools
-  spirv-headers libglm-dev libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev
+  spirv-headers libglm-dev libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev zlib1g-dev
   libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
 test_packages="chromium" # looks at the pages that facet writes
 

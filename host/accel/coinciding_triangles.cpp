@@ -25,7 +25,7 @@ double tolerance(float coordinate) { return 2 * 16 * 0x1p-24 * static_cast<doubl
 /// A convex polygon: a triangle, or what is left of one.
 class Polygon {
  public:
-  explicit Polygon(const TriangleCorners& triangle) : count_(3) {
+  explicit Polygon(const TriangleCorners& triangle) {
     std::copy(triangle.begin(), triangle.end(), corners_.begin());
   }
 
@@ -61,7 +61,7 @@ class Polygon {
   /// Each of three planes adds at most one corner, or by rounding two.
   static constexpr std::size_t most = 9;
   std::array<dvec3, most> corners_{};
-  std::size_t count_;
+  std::size_t count_ = 3;
 };
 
 /// Whether one edge of a alone keeps b off it. Almost all neighbours are told apart so, at a tenth

@@ -10,6 +10,8 @@
 #include "core/print.h"
 #include "core/text.h"
 #include "door/warnings.h"
+#include "image/record.h"
+#include "parts/checkpoint.h"
 #include "render/features.h"
 #include "render/pack/packed_scene.h"
 #include "scene/manuals.h"
@@ -53,6 +55,17 @@ void print_plugins(const std::string& name) {
       fmt::format("info: --plugins \"{}\": no such plugin{}", name, did_you_mean(name, known)));
 }
 
+/// Names of channels, those of a layer as one.
+std::vector<std::string> channel_groups(const std::vector<std::string>& channels) {
+  std::vector<std::string> groups;
+  for (const std::string& channel : channels) {
+    const std::size_t end = channel.find('.');
+    const std::string group = end == std::string::npos ? channel : channel.substr(0, end) + ".*";
+    if (groups.empty() || groups.back() != group) groups.push_back(group);
+  }
+  return groups;
+}
+
 std::string describe(const Mesh& mesh, const Scene& scene) {
   const std::string_view bsdf = bsdf_type_names[scene.bsdfs[mesh.bsdf].index()];
   return fmt::format("{}: {} triangles, {}{}{}", mesh.name, mesh.position_indices.size(), bsdf,
@@ -70,6 +83,42 @@ std::string describe(const Emitter& emitter, const Scene& scene) {
   return fmt::format("environment {} x {}", sky.width, sky.height);
 }
 
+/// What continues or follows a render whose image this is.
+void print_what_next(const PartFile& part) {
+  if (is_checkpoint(part.header)) {
+    put("a checkpoint, after {}; this continues it:\n  {}\n", describe_progress(part),
+        continue_command(part));
+  } else if (part.has_channel("sum.R")) {
+    put("a part: facet merge joins it with other samples of this render\n");
+  } else if (part.record.stopped_by == StoppedBy::interrupt) {
+    put("an image of a render that was interrupted\n");
+  } else {
+    put("a whole image\n");
+  }
+}
+
+/// What an image file says of its making.
+ExitCode print_image_info(const std::string& file) {
+  const PartFile image{file, read_exr_header(file), {}};
+  const ExrHeader& h = image.header;
+  put("{}: {} x {} pixels", file, h.width, h.height);
+  if (h.width != h.window.full_width || h.height != h.window.full_height)
+    put(" from ({}, {}) on of {} x {}", h.window.x, h.window.y, h.window.full_width,
+        h.window.full_height);
+  put("; channels: {}\n", fmt::join(channel_groups(h.channels), ", "));
+  const ParsedRecord parsed = parse_record(h.metadata);
+  if (parsed.record.version.empty()) {
+    put("not rendered by facet\n");
+    return ExitCode::done;
+  }
+  for (const RecordField& field : record_fields()) {
+    const auto value = field.read(parsed.record);
+    if (value && !parsed.is_missing(field)) put("  {:<30} {}\n", field.label, *value);
+  }
+  print_what_next({file, h, parsed.record});
+  return ExitCode::done;
+}
+
 ExitCode print_info(const InfoOptions& options) {
   if (options.supported) print_supported();
   if (options.plugin) print_plugins(*options.plugin);
@@ -78,6 +127,8 @@ ExitCode print_info(const InfoOptions& options) {
       throw InputError("info: a scene file, or --supported or --plugins, is needed");
     return ExitCode::done;
   }
+  if (std::filesystem::path(options.scene).extension() == ".exr")
+    return print_image_info(options.scene);
   Diagnostics diagnostics(options.strict);
   const Scene scene = read_scene(options.scene, diagnostics);
   const bool has_integrator = !scene.integrator.type.name.empty();
@@ -123,7 +174,9 @@ ExitCode print_info(const InfoOptions& options) {
 void add_info_command(CommandLine& line) {
   const auto options = std::make_shared<InfoOptions>();
   Command command = line.add("info", "Show what a scene holds and what will be compiled for it");
-  command.argument("scene", options->scene, "Scene file (XML)", false);
+  command.argument("scene", options->scene,
+                   "Scene file (XML); or an EXR: how it was made, and what continues a checkpoint",
+                   false);
   command.flag("--supported", options->supported, "List the plugins of the scene language");
   command.optional_text("--plugins", options->plugin, "[NAME]",
                         "List the plugins in a line each, or print the manual of NAME");

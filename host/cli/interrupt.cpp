@@ -4,6 +4,7 @@
 
 #include <array>
 #include <csignal>
+#include <ctime>
 #include <string_view>
 
 #include "cli/exit_code.h"
@@ -15,13 +16,27 @@ namespace facet::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+timespec first_time{};  ///< of the first signal
 
-/// The first signal asks for an end, the second is one.
+/// Async-signal-safe.
+timespec monotonic_time() {
+  timespec time{};
+  (void)::clock_gettime(CLOCK_MONOTONIC, &time);
+  return time;
+}
+
+/// The first signal asks for an end, a later one is one. What timeout(1) and batch systems send
+/// comes twice within moments, to the process and to its group, and means one.
 void on_signal(int number) {
+  constexpr long moments = 500'000'000;  // ns
+  const timespec now = monotonic_time();
   if (interrupted == 0) {
+    first_time = now;
     interrupted = 1;
     return;
   }
+  const auto seconds = now.tv_sec - first_time.tv_sec;
+  if (seconds < 2 && seconds * 1'000'000'000 + now.tv_nsec - first_time.tv_nsec < moments) return;
   AtomicFile::remove_unfinished();
   (void)std::signal(number, SIG_DFL);
   (void)std::raise(number);

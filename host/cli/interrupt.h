@@ -1,5 +1,6 @@
 #pragma once
-// Ctrl-C ends a render early instead of killing it; a second one kills.
+// Ctrl-C ends a render early instead of killing it; another one, half a second later or more,
+// kills.
 
 namespace facet::cli {
 

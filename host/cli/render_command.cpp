@@ -1,6 +1,8 @@
 // facet render: from a scene file to images.
+#include <facet/checkpoint.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <random>
@@ -43,7 +45,8 @@ class RenderJob {
   }
 
   ExitCode run() {
-    check_outputs(outcome_.files, {options_.json});
+    check_checkpoint();
+    check_outputs(outcome_.files, {options_.json, options_.checkpoint.value_or("")});
     // Drivers take longer to load than most scenes; what is wrong with the scene is said first.
     auto opening =
         std::async(std::launch::async, [&] { return open_backend(options_.backend.options()); });
@@ -55,6 +58,7 @@ class RenderJob {
     for (const std::string& message : messages) say("validation: {}\n", message);
     outcome_.interrupted = was_interrupted();
     write();
+    remove_checkpoint();
     report();
     print_failings(outcome_.statistics);
     warn_about_goals(outcome_);
@@ -65,6 +69,19 @@ class RenderJob {
   }
 
  private:
+  /// What another render has come to is not written over.
+  void check_checkpoint() const {
+    if (!options_.checkpoint) return;
+    const std::string& file = *options_.checkpoint;
+    if (!is_exr(file)) throw InputError(fmt::format("{}: a checkpoint is an .exr", file));
+    std::error_code unknown;
+    if (std::filesystem::is_other(file, unknown))
+      throw InputError(fmt::format("{}: a checkpoint is a file", file));
+    if (!options_.resume && std::filesystem::exists(file, unknown))
+      throw InputError(fmt::format(
+          "{}: is there already: --resume continues it; remove it to begin anew", file));
+  }
+
   void load() {
     const double start = seconds_since_start();
     Diagnostics diagnostics(options_.strict);
@@ -72,13 +89,16 @@ class RenderJob {
         read_scene(options_.scene, diagnostics, overridden_by(options_)));
     std::vector<std::string> outputs = outcome_.files;
     outputs.push_back(options_.json);
+    outputs.push_back(options_.checkpoint.value_or(""));
     check_no_input_is_written(outputs, diagnostics.inputs());
     catch_interrupts();
     request_ = make_request(options_);
     request_.variance = wants_variance(options_.aovs);
     // The report and the progress bar tell the error.
     request_.estimate_error = !options_.json.empty() || wants_error(options_.aovs) ||
-                              (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
+                              (!options_.quiet && ::isatty(STDERR_FILENO) != 0) ||
+                              // Who continues may look at other things than who began.
+                              options_.checkpoint;
     if (options_.time) request_.deadline = Clock::now();
     settings_ = resolve(*scene_, request_);
     check_png_size(outcome_.files, settings_.crop_width(), settings_.crop_height());
@@ -117,8 +137,7 @@ class RenderJob {
   void set_deadline() {
     if (!options_.time) return;
     const double left = *options_.time - seconds_since_start() - seconds_after_rendering();
-    request_.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(left));
+    request_.deadline = Clock::now() + duration_of(left);
   }
 
   void render(Backend& backend) {
@@ -127,13 +146,41 @@ class RenderJob {
                       request_.estimate_error
                           ? [&] { return estimate_error(rendering->film()).relative(); }
                           : std::function<double()>{});
-    rendering->run([&](double done, const RenderStatistics& statistics) {
+    const ProgressCallback tell = [&](double done, const RenderStatistics& statistics) {
       progress.update(done, statistics);
       return !was_interrupted();
-    });
+    };
+    if (options_.checkpoint) {
+      run_with_checkpoints(*rendering, tell);
+    } else {
+      rendering->run(tell);
+    }
     progress.finish();
     outcome_.statistics = rendering->statistics();
     keep(rendering->film(), outcome_);
+  }
+
+  void run_with_checkpoints(Rendering& rendering, const ProgressCallback& tell) const {
+    const std::string& file = *options_.checkpoint;
+    if (options_.resume) {
+      const bool continued = resume(rendering, file);
+      if (!options_.quiet)
+        say("{}: {}\n", file, continued ? "continued" : "no such file yet, so it starts anew");
+    }
+    facet::run_with_checkpoints(
+        rendering,
+        {file, options_.checkpoint_every,
+         [](const std::string& message) { say("warning: {}; the render goes on\n", message); }},
+        tell);
+  }
+
+  void remove_checkpoint() const {
+    if (!options_.checkpoint || outcome_.interrupted) return;
+    std::error_code error;
+    std::filesystem::remove(*options_.checkpoint, error);
+    if (error)
+      say("warning: {}: the render is complete, but its checkpoint could not be removed: {}\n",
+          *options_.checkpoint, error.message());
   }
 
   void keep(Film film, RenderOutcome& outcome) const {

@@ -97,6 +97,15 @@ void add_render_options(Command& command, RenderOptions& o) {
                  "samples then");
   command.flag("--adaptive", o.request.adaptive,
                "Pixels get samples by their variance, --spp on average");
+  command.text(
+      "--checkpoint", o.checkpoint,
+      "Save the render to this .exr time and again, and at Ctrl-C or SIGTERM; it is a part, "
+      "which facet merge reads, and is removed once the images are written");
+  command.number("--checkpoint-every", o.checkpoint_every, 0.01, 1e9,
+                 "Seconds between checkpoints; more where one takes long");
+  command.flag("--resume", o.resume,
+               "Continue from --checkpoint, with the bits of an uninterrupted render; start anew "
+               "where there is no such file");
   add_sampling_option(command, o.request.sampling, true);
   add_aov_option(command, o.aovs, true);
   add_exposure_option(command, o.exposure);
@@ -117,6 +126,8 @@ RenderRequest make_request(const RenderOptions& o) {
     const auto v = parse_integers<2>(*o.sample_range, ':', "--sample-range", "A:B");
     request.sample_range = {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1])};
   }
+  if (o.resume && !o.checkpoint)
+    throw InputError("--resume: --checkpoint FILE.exr, from which to continue, is needed");
   if (o.error) request.error = parse_relative_error(*o.error, "--error");
   return request;
 }

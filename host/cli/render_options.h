@@ -21,6 +21,9 @@ struct RenderOptions {
   std::optional<std::string> sample_range;
   std::optional<std::string> error;
   std::optional<double> time;  ///< seconds, of the whole process
+  std::optional<std::string> checkpoint;
+  double checkpoint_every = 60;  ///< seconds
+  bool resume = false;
   BackendChoice backend;
   std::vector<std::string> aovs;
   float exposure = 0;

@@ -2,6 +2,8 @@
 // How many samples each pixel of an adaptive render gets (docs/sampling.md, "Adaptive sampling").
 #include <facet/film.h>
 
+#include <utility>
+
 namespace facet {
 
 /// Samples of every pixel whose variance decides about the others, of a render of `mean` samples a
@@ -16,13 +18,18 @@ class Allocation {
  public:
   /// first_half: the pilot's film after half of its samples, pilot: after all; both with squares.
   Allocation(const Film& first_half, const Film& pilot);
+  /// With the wishes of another.
+  explicit Allocation(std::vector<double> wishes) : wishes_(std::move(wishes)) {}
+
+  /// Logarithms to base 2 of samples in proportion, one a pixel.
+  [[nodiscard]] const std::vector<double>& wishes() const { return wishes_; }
 
   /// Samples of each pixel, powers of two, from the smallest that any pixel gets to 64 times the
   /// mean; together no more than `budget` for each.
   [[nodiscard]] std::vector<std::uint32_t> counts(std::uint32_t mean, std::uint32_t budget) const;
 
  private:
-  std::vector<double> wishes_;  ///< logarithms to base 2 of samples in proportion
+  std::vector<double> wishes_;
 };
 
 }  // namespace facet

@@ -4,15 +4,17 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
-#include "convergence/allocation.h"
 #include "convergence/probes.h"
 
 namespace facet {
 
 namespace {
 
-using Sums = SampleSource::Sums;
+using Sums = SamplingTask::Sums;
+using Stage = SamplingState::Stage;
 
 // Numbers of other samples than the image's.
 constexpr std::uint32_t pilot_seed = 0x9e3779b9U;
@@ -27,6 +29,12 @@ constexpr double confidence = 0.99;
 /// Samples of a pilot where nobody knows how many will follow.
 constexpr std::uint32_t open_ended_pilot = 16;
 
+/// Fewest samples of a pilot that says anything.
+constexpr std::uint32_t least_pilot = 4;
+
+/// Seconds between points where every pixel has the same samples, where a sample is faster.
+constexpr double seconds_of_step = 0.25;
+
 std::uint32_t seed_of_probes(const SamplingGoal& goal) { return goal.seed ^ probe_seed; }
 
 PixelList probes_of(const SamplingGoal& goal) {
@@ -34,213 +42,316 @@ PixelList probes_of(const SamplingGoal& goal) {
   return choose_probes(goal.width, goal.height, seed_of_probes(goal));
 }
 
-/// How long samples take, and how long there is.
-class Pace {
- public:
-  Pace(const SamplingGoal& goal, const SampleSource& source)
-      : deadline_(goal.deadline), source_(source), last_(source.now()) {}
+/// All pixels have the samples of the step.
+void end_step(SamplingState& state) {
+  state.sample += std::exchange(state.length, 0);
+  state.pixel = 0;
+}
 
-  /// So many more samples a pixel have been rendered since the last call.
-  void note(std::uint32_t samples) {
-    const Clock::time_point now = source_.now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    all_seconds_ += seconds;
-    all_samples_ += samples;
-    const double average = all_seconds_ / all_samples_;
-    slowest_ = std::max(seconds / samples, average);
-  }
-  [[nodiscard]] bool is_limited() const { return deadline_.has_value(); }
-  [[nodiscard]] double seconds_left() const {
-    return std::chrono::duration<double>(*deadline_ - source_.now()).count();
-  }
-  /// Samples a pixel that will be done by the deadline, surely, as far as the past tells.
-  [[nodiscard]] std::uint32_t fitting(double share = 1) const {
-    constexpr double reserve = 0.9;
-    if (all_samples_ == 0) return 0;
-    const double samples = reserve * share * seconds_left() / slowest_;
-    return static_cast<std::uint32_t>(std::clamp(samples, 0.0, 0x1p30));
-  }
-
- private:
-  std::optional<Clock::time_point> deadline_;
-  const SampleSource& source_;
-  Clock::time_point last_;
-  double all_seconds_ = 0;
-  double all_samples_ = 0;
-  double slowest_ = 0;  ///< seconds a sample, of late or on average
-};
-
-/// One render.
-class Sampling {
- public:
-  Sampling(const SamplingGoal& goal, SampleSource& source)
-      : goal_(goal),
-        source_(source),
-        probes_(probes_of(goal)),
-        most_(goal.samples.end - goal.samples.begin),
-        pace_(goal, source) {}
-
-  SamplingOutcome run() {
-    expect(most_);
-    if (goal_.adaptive && !run_pilot()) return outcome(StoppedBy::interrupt);
-    for (;;) {
-      const std::uint32_t more = next_round();
-      if (more == 0) return outcome(done_ == most_ ? StoppedBy::samples : StoppedBy::time);
-      if (!advance(more)) return outcome(StoppedBy::interrupt);
-      pace_.note(more);
-      if (is_good_enough()) return outcome(StoppedBy::error);
-    }
-  }
-
- private:
-  /// Samples a pixel of the next round: 1, 1, 2, 4, ..., which give an early picture of the whole;
-  /// fewer where a goal is near.
-  std::uint32_t next_round() {
-    std::uint32_t more = std::max(done_, 1U);
-    if (allocation_ && done_ == 0) more = goal_.open_ended() ? open_ended_pilot : most_;
-    more = std::min(more, most_ - done_);
-    if (wanted_ > 0) {
-      const double wanted = std::ceil(wanted_) - done_;
-      more = std::min(more, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30)));
-    }
-    if (pace_.is_limited()) {
-      const std::uint32_t fitting = pace_.fitting();
-      more = std::min(more, done_ == 0 ? std::max(fitting, allocation_ ? 2U : 1U) : fitting);
-    }
-    tell_expectations();
-    return more;
-  }
-
-  /// Adds samples of every pixel, on average.
-  bool advance(std::uint32_t more) {
-    const std::uint32_t end = done_ + more;
-    if (allocation_) {
-      if (!advance_by_allocation(end)) return false;
-    } else {
-      const std::uint32_t begin = goal_.samples.begin;
-      const SampleRange samples{begin + done_, begin + end};
-      if (!source_.add(Sums::image, nullptr, samples, goal_.seed)) return false;
-      if (!probes_.empty() && !source_.add(Sums::trial, &probes_, samples, seed_of_probes(goal_)))
-        return false;
-    }
-    done_ = end;
-    return true;
-  }
-
-  bool advance_by_allocation(std::uint32_t mean) {
-    const std::uint32_t budget = goal_.open_ended() ? mean : mean - pilot_samples(mean);
-    std::vector<std::uint32_t> counts = allocation_->counts(mean, budget);
-    if (counts_.empty()) {
-      counts_.assign(counts.size(), 0);
-      least_ = smallest_allocation(mean);
-    }
-    // A larger budget may have other bounds; what a pixel has, it keeps.
-    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::max(counts[i], counts_[i]);
-    PixelList all(counts.size());
-    std::iota(all.begin(), all.end(), 0U);
-    if (!fill(Sums::image, std::move(all), counts, goal_.seed)) return false;
-    if (!probes_.empty() && !fill(Sums::trial, probes_, counts, seed_of_probes(goal_)))
-      return false;
-    counts_ = std::move(counts);
-    return true;
-  }
-
-  /// Adds samples of these pixels, from the numbers that they have to others: twice as many from
-  /// step to step, of ever fewer.
-  bool fill(Sums sums, PixelList pixels, const std::vector<std::uint32_t>& counts,
-            std::uint32_t seed) {
-    std::uint32_t begin = 0;
-    for (std::uint32_t end = least_;; begin = end, end *= 2) {
-      std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
-      if (pixels.empty()) return true;
-      PixelList lacking;
-      std::copy_if(pixels.begin(), pixels.end(), std::back_inserter(lacking),
-                   [&](std::uint32_t p) { return counts_[p] < end; });
-      if (!lacking.empty() && !source_.add(sums, &lacking, {begin, end}, seed)) return false;
-    }
-  }
-
-  /// Renders the pilot and throws it away; returns whether to go on.
-  bool run_pilot() {
-    if (pace_.is_limited() && !(pace_.seconds_left() > 0)) return true;
-    const std::uint32_t seed = goal_.seed ^ pilot_seed;
-    std::uint32_t samples = goal_.open_ended() ? open_ended_pilot : pilot_samples(most_);
-    std::uint32_t begin = 0;
-    if (pace_.is_limited()) {
-      begin = 1;
-      if (!source_.add(Sums::trial, nullptr, {0, begin}, seed)) return false;
-      pace_.note(begin);
-      samples = std::min(samples, std::bit_floor(pace_.fitting(0.125) + begin));
-    }
-    // In the shortest of times a pilot would take what the image needs.
-    if (samples >= 4) {
-      const std::uint32_t half = samples / 2;
-      if (begin < half && !source_.add(Sums::trial, nullptr, {begin, half}, seed)) return false;
-      const Film first_half = source_.sums(Sums::trial);
-      if (!source_.add(Sums::trial, nullptr, {half, samples}, seed)) return false;
-      pace_.note(samples - begin);
-      allocation_.emplace(first_half, source_.sums(Sums::trial));
-    }
-    if (goal_.open_ended()) spent_ = allocation_ ? samples : begin;
-    source_.clear(Sums::trial);
-    return true;
-  }
-
-  /// Looks at the error, where it matters, and at how many samples it would take.
-  bool is_good_enough() {
-    if (!goal_.error || (done_ < least_estimated && done_ < most_)) return false;
-    const ErrorEstimate estimate = estimate_error(film_of(goal_, source_));
-    const double excess = estimate.relative_upper(confidence) / *goal_.error;
-    // An image without light or noise has an error of 0.
-    if (excess <= 1) return true;
-    // The error of samples in an order falls faster than that of independent ones. Better look
-    // again than render too much, but not for the sake of a few.
-    const double power = probes_.empty() ? 2.0 : 4.0 / 3.0;
-    wanted_ = done_ * std::max(std::pow(excess, power), 1.05);
-    return false;
-  }
-
-  void tell_expectations() {
-    double samples = most_;
-    if (wanted_ > 0) samples = std::min(samples, wanted_);
-    if (pace_.is_limited())
-      samples = std::min(samples, static_cast<double>(done_) + pace_.fitting());
-    expect(samples);
-  }
-
-  /// samples: of the image, a pixel.
-  void expect(double samples) {
-    const double pixels = static_cast<double>(goal_.width) * goal_.height;
-    source_.expect((samples + spent_) * pixels + samples * static_cast<double>(probes_.size()));
-  }
-
-  [[nodiscard]] SamplingOutcome outcome(StoppedBy reason) const {
-    std::uint32_t samples = done_;
-    if (reason == StoppedBy::interrupt) samples = goal_.open_ended() ? std::max(done_, 1U) : most_;
-    const std::uint32_t begin = goal_.samples.begin;
-    return {reason, {begin, begin + samples}, allocation_.has_value()};
-  }
-
-  const SamplingGoal& goal_;
-  SampleSource& source_;
-  PixelList probes_;
-  std::uint32_t most_;
-  Pace pace_;
-  std::uint32_t done_ = 0;   ///< samples of each pixel of the image
-  std::uint32_t spent_ = 0;  ///< of each pixel of a pilot beside those
-  double wanted_ = 0;        ///< samples that the error will be small enough with; 0: unknown
-
-  // Of adaptive renders.
-  std::optional<Allocation> allocation_;
-  std::vector<std::uint32_t> counts_;  ///< samples of each pixel
-  std::uint32_t least_ = 0;            ///< those that all pixels have in common at first
-};
+Film bare_film(const SamplingGoal& goal, const std::vector<PixelSums>& pixels) {
+  return {goal.width, goal.height, {0, 0, goal.width, goal.height}, true, pixels, {}, {}};
+}
 
 }  // namespace
 
-SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source) {
-  return Sampling(goal, source).run();
+SamplingPlan::SamplingPlan(const SamplingGoal& goal)
+    : goal_(goal), probes_(probes_of(goal)), most_(goal.samples.end - goal.samples.begin) {
+  if (goal.adaptive) state_.stage = Stage::first_half_of_pilot;
+}
+
+SamplingOutcome SamplingPlan::run(SampleSource& source) {
+  pace_.emplace(goal_.deadline, source.now());
+  expect(source, most_);
+  if (!run_pilot(source)) return outcome(StoppedBy::interrupt);
+  for (;;) {
+    // Of a round that another run has begun, the time is not known.
+    const bool begun_here = state_.more == 0;
+    if (begun_here) state_.more = next_round(source);
+    if (state_.more == 0)
+      return outcome(state_.done == most_ ? StoppedBy::samples : StoppedBy::time);
+    if (!run_tasks(source)) return outcome(StoppedBy::interrupt);
+    if (begun_here) pace_->note(state_.more, source.now());
+    end_round();
+    if (is_good_enough(source)) return outcome(StoppedBy::error);
+  }
+}
+
+/// Samples a pixel of the next round: 1, 1, 2, 4, ..., which give an early picture of the whole;
+/// fewer where a goal is near.
+std::uint32_t SamplingPlan::next_round(SampleSource& source) {
+  const std::uint32_t done = state_.done;
+  std::uint32_t more = std::max(done, 1U);
+  if (allocation_ && done == 0) more = goal_.open_ended() ? open_ended_pilot : most_;
+  more = std::min(more, most_ - done);
+  if (state_.wanted > 0) {
+    const double wanted = std::ceil(state_.wanted) - done;
+    more = std::min(more, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30)));
+  }
+  if (pace_->is_limited()) {
+    const std::uint32_t fitting = pace_->fitting(source.now());
+    const bool must = done == 0 || (!pace_->is_known() && pace_->seconds_left(source.now()) > 0);
+    more = std::min(more, must ? std::max(fitting, allocation_ ? 2U : 1U) : fitting);
+  }
+  tell_expectations(source);
+  return more;
+}
+
+std::vector<SamplingTask> SamplingPlan::tasks() const {
+  const std::uint32_t seed_of_pilot = goal_.seed ^ pilot_seed;
+  const std::uint32_t half = state_.pilot / 2;
+  if (state_.stage == Stage::first_half_of_pilot)
+    return {{Sums::trial, {}, {goal_.deadline ? 1U : 0U, half}, seed_of_pilot}};
+  if (state_.stage == Stage::second_half_of_pilot)
+    return {{Sums::trial, {}, {half, state_.pilot}, seed_of_pilot}};
+  if (allocation_) return tasks_of_allocation(counts_of_round());
+  const std::uint32_t begin = goal_.samples.begin + state_.done;
+  const SampleRange samples{begin, begin + state_.more};
+  std::vector<SamplingTask> tasks{{Sums::image, {}, samples, goal_.seed}};
+  if (!probes_.empty()) tasks.push_back({Sums::trial, probes_, samples, seed_of_probes(goal_)});
+  return tasks;
+}
+
+std::vector<std::uint32_t> SamplingPlan::counts_of_round() const {
+  const std::uint32_t mean = state_.done + state_.more;
+  const std::uint32_t budget = goal_.open_ended() ? mean : mean - pilot_samples(mean);
+  std::vector<std::uint32_t> counts = allocation_->counts(mean, budget);
+  // A larger budget may have other bounds; what a pixel has, it keeps.
+  for (std::size_t i = 0; i < state_.counts.size(); ++i)
+    counts[i] = std::max(counts[i], state_.counts[i]);
+  return counts;
+}
+
+std::vector<SamplingTask> SamplingPlan::tasks_of_allocation(
+    const std::vector<std::uint32_t>& counts) const {
+  std::vector<SamplingTask> tasks;
+  PixelList all(counts.size());
+  std::iota(all.begin(), all.end(), 0U);
+  add_steps(tasks, Sums::image, std::move(all), counts, goal_.seed);
+  if (!probes_.empty()) add_steps(tasks, Sums::trial, probes_, counts, seed_of_probes(goal_));
+  return tasks;
+}
+
+/// Samples of these pixels, from the numbers that they have to others: twice as many from step to
+/// step, of ever fewer.
+void SamplingPlan::add_steps(std::vector<SamplingTask>& tasks, Sums sums, PixelList pixels,
+                             const std::vector<std::uint32_t>& counts, std::uint32_t seed) const {
+  std::uint32_t begin = 0;
+  const std::uint32_t least =
+      state_.least > 0 ? state_.least : smallest_allocation(state_.done + state_.more);
+  for (std::uint32_t end = least;; begin = end, end *= 2) {
+    std::erase_if(pixels, [&](std::uint32_t p) { return counts[p] < end; });
+    if (pixels.empty()) return;
+    PixelList lacking;
+    std::copy_if(pixels.begin(), pixels.end(), std::back_inserter(lacking),
+                 [&](std::uint32_t p) { return state_.counts.empty() || state_.counts[p] < end; });
+    if (!lacking.empty()) tasks.push_back({sums, std::move(lacking), {begin, end}, seed});
+  }
+}
+
+/// The tasks of a round or of half of a pilot, as far as they are not done.
+bool SamplingPlan::run_tasks(SampleSource& source) {
+  const std::vector<SamplingTask> all = tasks();
+  for (; state_.task < all.size(); ++state_.task) {
+    if (!run_task(source, all[state_.task])) return false;
+    state_.sample = 0;
+  }
+  state_.task = 0;
+  return true;
+}
+
+bool SamplingPlan::run_task(SampleSource& source, const SamplingTask& task) {
+  pixels_of_task_ = task.pixels.empty() ? goal_.pixels() : task.pixels.size();
+  SamplingTask step = task;
+  while (state_.length > 0 || state_.sample < task.samples.end - task.samples.begin) {
+    step.samples.begin = task.samples.begin + state_.sample;
+    if (state_.length == 0) {
+      state_.length = std::min(pace_->step(static_cast<double>(pixels_of_task_), seconds_of_step),
+                               task.samples.end - step.samples.begin);
+    }
+    step.samples.end = step.samples.begin + state_.length;
+    const Clock::time_point start = source.now();
+    const std::uint32_t first = state_.pixel;
+    const bool goes_on = source.add(step, state_.pixel);
+    pace_->note_pixels(static_cast<double>(state_.pixel - first) * state_.length,
+                       source.now() - start);
+    if (step_is_done()) end_step(state_);
+    if (!goes_on) return false;
+  }
+  return true;
+}
+
+void SamplingPlan::end_round() {
+  if (allocation_) {
+    std::vector<std::uint32_t> counts = counts_of_round();
+    if (state_.least == 0) state_.least = smallest_allocation(state_.done + state_.more);
+    state_.counts = std::move(counts);
+  }
+  state_.done += state_.more;
+  state_.more = 0;
+}
+
+/// Decides how long the pilot is; returns whether to go on.
+bool SamplingPlan::begin_pilot(SampleSource& source) {
+  std::uint32_t samples = goal_.open_ended() ? open_ended_pilot : pilot_samples(most_);
+  if (pace_->is_limited()) {
+    // One sample tells how long others take.
+    if (!run_task(source, {Sums::trial, {}, {0, 1}, goal_.seed ^ pilot_seed})) return false;
+    state_.sample = 0;
+    pace_->note(1, source.now());
+    samples = std::min(samples, std::bit_floor(pace_->fitting(source.now(), 0.125) + 1));
+  }
+  state_.pilot = samples;
+  return true;
+}
+
+/// Renders the pilot, if there is to be one, and throws it away; returns whether to go on.
+bool SamplingPlan::run_pilot(SampleSource& source) {
+  if (state_.stage == Stage::image) return true;
+  const std::uint32_t timing = pace_->is_limited() ? 1 : 0;
+  if (state_.pilot == 0) {
+    if (pace_->is_limited() && !(pace_->seconds_left(source.now()) > 0)) {
+      state_.stage = Stage::image;
+      return true;
+    }
+    if (!begin_pilot(source)) return false;
+  }
+  // In the shortest of times a pilot would take what the image needs.
+  if (state_.pilot < least_pilot) {
+    if (goal_.open_ended()) state_.spent = timing;
+  } else {
+    if (state_.stage == Stage::first_half_of_pilot) {
+      if (!run_tasks(source)) return false;
+      state_.first_half = source.sums(Sums::trial).pixels;
+      state_.stage = Stage::second_half_of_pilot;
+    }
+    if (!run_tasks(source)) return false;
+    pace_->note(state_.pilot - timing, source.now());
+    allocation_.emplace(bare_film(goal_, state_.first_half), source.sums(Sums::trial));
+    if (goal_.open_ended()) state_.spent = state_.pilot;
+    state_.wishes = allocation_->wishes();
+  }
+  state_.first_half.clear();
+  state_.pilot = 0;
+  state_.stage = Stage::image;
+  source.clear(Sums::trial);
+  return true;
+}
+
+/// Looks at the error, where it matters, and at how many samples it would take.
+bool SamplingPlan::is_good_enough(const SampleSource& source) {
+  const std::uint32_t done = state_.done;
+  if (!goal_.error || (done < least_estimated && done < most_)) return false;
+  const ErrorEstimate estimate = estimate_error(film_of(goal_, source));
+  const double excess = estimate.relative_upper(confidence) / *goal_.error;
+  // An image without light or noise has an error of 0.
+  if (excess <= 1) return true;
+  // The error of samples in an order falls faster than that of independent ones. Better look
+  // again than render too much, but not for the sake of a few.
+  const double power = probes_.empty() ? 2.0 : 4.0 / 3.0;
+  state_.wanted = done * std::max(std::pow(excess, power), 1.05);
+  return false;
+}
+
+void SamplingPlan::tell_expectations(SampleSource& source) const {
+  double samples = most_;
+  if (state_.wanted > 0) samples = std::min(samples, state_.wanted);
+  if (pace_->is_limited())
+    samples = std::min(samples, static_cast<double>(state_.done) + pace_->fitting(source.now()));
+  expect(source, samples);
+}
+
+/// samples: of the image, a pixel.
+void SamplingPlan::expect(SampleSource& source, double samples) const {
+  source.expect((samples + state_.spent) * static_cast<double>(goal_.pixels()) +
+                samples * static_cast<double>(probes_.size()));
+}
+
+SamplingOutcome SamplingPlan::outcome(StoppedBy reason) const {
+  std::uint32_t samples = state_.done;
+  if (reason == StoppedBy::interrupt)
+    samples = goal_.open_ended() ? std::max(state_.done, 1U) : most_;
+  const std::uint32_t begin = goal_.samples.begin;
+  return {reason, {begin, begin + samples}, allocation_.has_value()};
+}
+
+SamplingState SamplingPlan::state() const {
+  SamplingState state = state_;
+  if (step_is_done()) end_step(state);
+  return state;
+}
+
+SampleRange SamplingPlan::whole_samples() const {
+  std::uint32_t samples = state_.done;
+  // The first task of a round is the image's; all others follow it.
+  if (!allocation_ && state_.stage == Stage::image && state_.more > 0)
+    samples += state_.task == 0 ? whole_of_task() : state_.more;
+  return {goal_.samples.begin, goal_.samples.begin + samples};
+}
+
+bool SamplingPlan::is_uneven() const {
+  if (goal_.adaptive) return state_.more > 0 || state_.done == 0;
+  return state_.done + whole_of_task() == 0 ||
+         (state_.more > 0 && state_.task == 0 && state_.length > 0 && !step_is_done());
+}
+
+void SamplingPlan::restore(const SamplingState& state) {
+  const auto require = [](bool holds) {
+    if (!holds) throw std::invalid_argument("a state of sampling that cannot be");
+  };
+  const std::size_t pixels = goal_.pixels();
+  const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
+  require(state.stage <= Stage::image && (goal_.adaptive || state.stage == Stage::image));
+  require(state.done <= most_ && state.more <= most_ - state.done && state.pilot <= 32);
+  require(fits(state.counts.size()) && fits(state.wishes.size()) && fits(state.first_half.size()));
+  require(goal_.adaptive || (state.counts.empty() && state.wishes.empty()));
+  require(state.stage != Stage::second_half_of_pilot || !state.first_half.empty());
+  require(state.wishes.empty() == state.counts.empty() || state.done == 0);
+  require(std::isfinite(state.wanted) && state.wanted >= 0);
+  for (const std::uint32_t count : state.counts) require(count <= 1U << 30U);
+  for (const double wish : state.wishes) require(std::abs(wish) <= 2000);
+  state_ = state;
+  allocation_.reset();
+  if (!state.wishes.empty()) allocation_.emplace(state.wishes);
+  // What is left of a long round may not fit into the time that there is now.
+  const bool shorten = goal_.deadline && !allocation_ && state.stage == Stage::image &&
+                       state.task == 0 && state.sample + state.length > 0;
+  if (shorten) state_.more = state.sample + state.length;
+  const bool begins_pilot = state.stage == Stage::first_half_of_pilot && state.pilot == 0;
+  const bool is_between = state.stage == Stage::image && state_.more == 0;
+  const std::vector<SamplingTask> all =
+      begins_pilot || is_between ? std::vector<SamplingTask>() : tasks();
+  if (all.empty()) {
+    require(state.task == 0 && state.sample <= 1 && state.length <= 1 - state.sample);
+    require(!is_between || (state.sample == 0 && state.length == 0));
+    require(state.length == 0 ? state.pixel == 0 : state.pixel < pixels);
+    return;
+  }
+  require(state.task < all.size());
+  const SamplingTask& task = all[state.task];
+  const std::uint32_t length = task.samples.end - task.samples.begin;
+  require(state.sample <= length && state.length <= length - state.sample);
+  require(state.length == 0 ? state.pixel == 0
+                            : state.pixel < (task.pixels.empty() ? pixels : task.pixels.size()));
+}
+
+RenderState state_of(const SamplingPlan& plan, const SamplingGoal& goal) {
+  RenderState state;
+  state.plan = plan.state();
+  state.first = goal.samples.begin;
+  state.most = goal.samples.end - goal.samples.begin;
+  state.timed = goal.deadline.has_value();
+  state.error = goal.error;
+  state.probes = goal.probes;
+  return state;
+}
+
+void add_counts(RenderStatistics& statistics, const RenderStatistics& more) {
+  statistics.closest_rays += more.closest_rays;
+  statistics.any_rays += more.any_rays;
+  statistics.samples += more.samples;
+  statistics.bad_samples += more.bad_samples;
+  statistics.bound_hits += more.bound_hits;
+  statistics.render_seconds += more.render_seconds;
 }
 
 Film film_of(const SamplingGoal& goal, const SampleSource& source) {

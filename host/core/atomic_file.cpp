@@ -49,15 +49,37 @@ int open_retrying(const std::filesystem::path& path, int flags) {
   return descriptor;
 }
 
-/// A new file in the folder; -1 with errno.
-int open_new(const std::filesystem::path& folder, std::filesystem::path& path) {
+/// Has `make` make something under names in the folder that cannot be guessed, until one is free.
+/// Returns what it returns, -1 with errno for a failure.
+template <typename Make>
+int make_named(const std::filesystem::path& folder, std::filesystem::path& path, const Make& make) {
   std::random_device random;
   for (int attempt = 0; attempt < 100; ++attempt) {
     path = folder / fmt::format("{}{:08x}{:08x}{}", prefix, random(), random(), suffix);
-    const int descriptor = open_retrying(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    const int made = make(path);
+    if (made >= 0 || errno != EEXIST) return made;
   }
   return -1;
+}
+
+/// By which a file without a name can be given one.
+std::string path_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// A new file of that folder without a name; -1 where there is no such thing.
+int open_unnamed(const std::filesystem::path& folder) {
+  const int descriptor = open_retrying(folder, O_WRONLY | O_TMPFILE);
+  if (descriptor >= 0 && ::access(path_of(descriptor).c_str(), F_OK) != 0) {
+    ::close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+/// A new file in the folder; -1 with errno.
+int open_new(const std::filesystem::path& folder, std::filesystem::path& path) {
+  return make_named(folder, path, [](const std::filesystem::path& name) {
+    return open_retrying(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  });
 }
 
 }  // namespace
@@ -77,6 +99,8 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   if (target_.filename().string().size() > 255)
     throw InputError(
         fmt::format("{}: cannot write: a file's name has 255 bytes at most", target_.string()));
+  descriptor_ = open_unnamed(folder_of(target_));
+  if (descriptor_ >= 0) return;
   descriptor_ = open_new(folder_of(target_), temporary_);
   if (descriptor_ < 0) {
     const int error = errno;
@@ -134,11 +158,24 @@ void AtomicFile::seek(std::uint64_t position) {
   if (::lseek(descriptor(), static_cast<off_t>(position), SEEK_SET) < 0) fail(errno);
 }
 
+void AtomicFile::name_temporary() {
+  if (!temporary_.empty()) return;
+  const std::string source = path_of(descriptor_);
+  std::filesystem::path path;
+  const int made = make_named(folder_of(target_), path, [&](const std::filesystem::path& name) {
+    return ::linkat(AT_FDCWD, source.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+  });
+  if (made < 0) fail(errno);
+  temporary_ = std::move(path);
+  unfinished = temporary_.c_str();
+}
+
 void AtomicFile::commit() {
   check();
   // What cannot be synced, as a pipe, says EINVAL.
   if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
     fail(errno);
+  if (!in_place_) name_temporary();
   if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (in_place_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);

@@ -7,11 +7,13 @@
 
 namespace facet {
 
-/// Writes to a temporary file beside the target; commit() gives it the target's name once all of it
-/// is on the disk, the destructor removes what was not committed. What stood under that name stays
-/// as it was until then. The temporary file's name cannot be guessed, and no file or link of that
-/// name is followed; those that a killed program left in the folder an hour ago or earlier are
-/// removed by commit(). A target that is a device or a pipe is written to directly, and stays.
+/// Writes to a temporary file in the target's folder; commit() gives it the target's name once all
+/// of it is on the disk, the destructor removes what was not committed. What stood under that name
+/// stays as it was until then. Where the file system lets a file have no name, the temporary file
+/// has none before commit(), and a killed program leaves none. Elsewhere its name cannot be
+/// guessed, no file or link of that name is followed, and those that a killed program left in the
+/// folder an hour ago or earlier are removed by commit(). A target that is a device or a pipe is
+/// written to directly, and stays.
 class AtomicFile {
  public:
   /// Throws InputError where the folder is missing or takes no file.
@@ -47,9 +49,11 @@ class AtomicFile {
 
  private:
   [[noreturn]] void fail(int error);
+  /// Gives the temporary file a name, if it has none.
+  void name_temporary();
 
   std::filesystem::path target_;
-  std::filesystem::path temporary_;
+  std::filesystem::path temporary_;  ///< empty while the file has no name
   bool in_place_ = false;
   int descriptor_ = -1;
   int error_ = 0;  ///< errno of the first failure

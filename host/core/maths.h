@@ -12,6 +12,7 @@ using glm::dvec3;
 using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 
 /// Stands for no index.
 inline constexpr std::uint32_t none = 0xffffffffU;

@@ -149,8 +149,9 @@ ScenePtr bright_texel(int height) {
   maker.emitter({"environment"});
   Scene scene = *maker.scene();
   EnvironmentEmitter sky{.width = 2 * height, .height = height, .texels = {}};
-  sky.texels.assign(static_cast<std::size_t>(2 * height * height), Color(0));
-  sky.texels[static_cast<std::size_t>(bright_row(height) * 2 * height + height / 2)] = Color(1e6F);
+  const auto rows = static_cast<std::size_t>(height);
+  sky.texels.assign(2 * rows * rows, Color(0));
+  sky.texels[static_cast<std::size_t>(bright_row(height)) * 2 * rows + rows / 2] = Color(1e6F);
   for (Emitter& e : scene.emitters) e = sky;
   return std::make_shared<const Scene>(std::move(scene));
 }

@@ -88,8 +88,8 @@ struct ViewedTriangle {
     const Real part = u * solid_angle();
     const Real side = acos(inner(a, c));
     // The end of the arc from b, by its angle from a.
-    const auto end = [&](const Real& angle) {
-      return blend(Real(sin(side - angle) / sin(side)), a, Real(sin(angle) / sin(side)), c);
+    const auto end = [&, &from = a, &to = c](const Real& angle) {
+      return blend(Real(sin(side - angle) / sin(side)), from, Real(sin(angle) / sin(side)), to);
     };
     Real low = 0;
     Real high = side;

@@ -21,7 +21,11 @@ namespace facet {
 
 namespace {
 
-Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
+Imf::PixelType type_of(const std::string& channel) {
+  return channel.starts_with(word_prefix) ? Imf::UINT : Imf::FLOAT;
+}
+
+Imf::Slice slice_of(Imf::PixelType type, const float* plane, const Imath::Box2i& window) {
   const auto width = static_cast<std::size_t>(window.max.x - window.min.x) + 1;
   const auto offset =
       static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width) + window.min.x;
@@ -29,7 +33,7 @@ Imf::Slice slice_of(const float* plane, const Imath::Box2i& window) {
   // const.
   auto* base = reinterpret_cast<char*>(const_cast<float*>(plane) -
                                        offset);  // NOLINT(*-const-cast,*-reinterpret-cast)
-  return {Imf::FLOAT, base, sizeof(float), sizeof(float) * width};
+  return {type, base, sizeof(float), sizeof(float) * width};
 }
 
 /// A part of a file whose pixels are read, and what its channels' names get before them.
@@ -109,8 +113,13 @@ Image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
     const Imf::Header& part_header = file.header(part.number);
     const Imath::Box2i window = part_header.dataWindow();
     Imf::FrameBuffer buffer;
-    for (auto c = part_header.channels().begin(); c != part_header.channels().end(); ++c)
-      buffer.insert(c.name(), slice_of(image.plane(channel++), window));
+    for (auto c = part_header.channels().begin(); c != part_header.channels().end(); ++c) {
+      // Numbers of other programs' integers are read as numbers.
+      const bool words = c.channel().type == Imf::UINT && type_of(c.name()) == Imf::UINT;
+      buffer.insert(c.name(),
+                    slice_of(words ? Imf::UINT : Imf::FLOAT, image.plane(channel), window));
+      ++channel;
+    }
     Imf::InputPart pixels(file, part.number);
     pixels.setFrameBuffer(buffer);
     pixels.readPixels(window.min.y, window.max.y);
@@ -155,19 +164,21 @@ Image read_exr(const std::filesystem::path& path) { return read_file(path, read_
 
 ExrHeader read_exr_header(const std::filesystem::path& path) { return read_file(path, header_of); }
 
-void write_exr(const std::filesystem::path& path, const Image& image) {
+void write_exr(const std::filesystem::path& path, const Image& image, ExrCompression compression) {
   const Imath::V2i origin(image.window.x, image.window.y);
   const Imath::Box2i data(origin, origin + Imath::V2i(image.width() - 1, image.height() - 1));
   const Imath::Box2i display(Imath::V2i(0, 0),
                              Imath::V2i(image.window.full_width - 1, image.window.full_height - 1));
-  Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
-                     Imf::ZIP_COMPRESSION);
+  Imf::Header header(
+      display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
+      compression == ExrCompression::zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION);
   for (const auto& [name, text] : image.metadata)
     header.insert(name.c_str(), Imf::StringAttribute(text));
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < image.channels().size(); ++c) {
-    header.channels().insert(image.channels()[c], Imf::Channel(Imf::FLOAT));
-    buffer.insert(image.channels()[c], slice_of(image.plane(static_cast<int>(c)), data));
+    const Imf::PixelType type = type_of(image.channels()[c]);
+    header.channels().insert(image.channels()[c], Imf::Channel(type));
+    buffer.insert(image.channels()[c], slice_of(type, image.plane(static_cast<int>(c)), data));
   }
   AtomicFile file(path);
   try {

@@ -58,8 +58,16 @@ struct ExrHeader {
 /// Reads the header alone. Throws like read_exr, but for damage to what follows the header.
 [[nodiscard]] ExrHeader read_exr_header(const std::filesystem::path& path);
 
-/// Writes 32-bit float channels, ZIP-compressed, with the image's metadata as text attributes.
-void write_exr(const std::filesystem::path& path, const Image& image);
+/// Channels whose names begin so hold words of 32 bits under the guise of floats: they are integers
+/// in an EXR, written and read with every bit.
+inline constexpr std::string_view word_prefix = "state.";
+
+/// How an EXR is packed: small, or fast to write.
+enum class ExrCompression { zip, fast };
+
+/// Writes 32-bit channels, with the image's metadata as text attributes.
+void write_exr(const std::filesystem::path& path, const Image& image,
+               ExrCompression compression = ExrCompression::zip);
 
 /// Writes the channels R, G and B as 8-bit sRGB. exposure: stops, a factor of 2^exposure before
 /// encoding.

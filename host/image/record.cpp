@@ -164,12 +164,11 @@ constexpr std::array fields{
         [](R& r, const std::string& t) { return set_word(stopped_by_words, t, r.stopped_by); }},
 };
 
-/// Whether the field is a choice at all: the kernels have none of precision.
+}  // namespace
+
 bool is_chosen(const RecordField& field, const RenderRecord& record) {
   return std::string_view(field.key) != "facet.precision" || record.backend == "reference";
 }
-
-}  // namespace
 
 std::span<const RecordField> record_fields() { return fields; }
 

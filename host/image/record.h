@@ -28,6 +28,9 @@ struct RecordField {
 /// In the order of headers and reports.
 [[nodiscard]] std::span<const RecordField> record_fields();
 
+/// Whether the field is a choice at all: the kernels have none of precision.
+[[nodiscard]] bool is_chosen(const RecordField& field, const RenderRecord& record);
+
 /// An entry that is not what it should be.
 struct DamagedField {
   const RecordField* field;

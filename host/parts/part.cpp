@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "image/film.h"
 #include "image/record.h"
+#include "parts/checksum.h"
 
 namespace facet {
 
@@ -178,7 +179,7 @@ Image make_part(const Film& film, bool with_variance) {
   if (film.has_squares) {
     for (const std::string color : colors) PairPlanes::name(channels, "square." + color, false);
   }
-  PairPlanes::name(channels, "samples", with_variance);
+  PairPlanes::name(channels, "samples", image.find_channel("samples") >= 0);
   PairPlanes::name(channels, "samples.nonzero", with_variance);
   image = with_channels(image, channels);
   write_sums(image, kept, &PixelSums::values, "sum.", sum_exponent);
@@ -189,6 +190,7 @@ Image make_part(const Film& film, bool with_variance) {
   }
   write_counts(image, kept, &PixelSums::samples, "samples");
   write_counts(image, kept, &PixelSums::nonzero, "samples.nonzero");
+  add_checksum(image);
   return image;
 }
 

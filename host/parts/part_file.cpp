@@ -5,6 +5,8 @@
 
 #include "core/error.h"
 #include "image/record.h"
+#include "parts/checkpoint.h"
+#include "parts/checksum.h"
 #include "parts/part.h"
 
 namespace facet {
@@ -30,8 +32,8 @@ void check_same(const PartFile& part, const PartFile& first, const char* what,
                                  first.file, other));
 }
 
-/// The record of a header; throws InputError where the header lacks an entry, or has one that
-/// cannot be.
+}  // namespace
+
 RenderRecord read_record(const std::string& file, const ExrHeader& header) {
   const ParsedRecord parsed = parse_record(header.metadata);
   for (const RecordField* field : parsed.missing) {
@@ -48,14 +50,15 @@ RenderRecord read_record(const std::string& file, const ExrHeader& header) {
   return parsed.record;
 }
 
-}  // namespace
-
 bool PartFile::has_channel(const std::string& name) const {
   return std::find(header.channels.begin(), header.channels.end(), name) != header.channels.end();
 }
 
 Film PartFile::read() const {
-  Film film = film_of_part(read_exr(file), record.samples.count(), file);
+  const Image image = read_exr(file);
+  // Looks at pixels first, which can name one.
+  Film film = film_of_part(image, record.samples.count(), file);
+  check_checksum(image, file);
   film.record = record;
   return film;
 }
@@ -68,6 +71,16 @@ PartFile open_part(const std::string& file) {
                                  ours ? "a whole image and " : "", how_to_make_one));
   }
   part.record = read_record(file, part.header);
+  if (part.record.adaptive)
+    throw InputError(fmt::format(
+        "{}: its pixels have different samples (--adaptive), and parts are of the same", file));
+  if (part.record.stopped_by == StoppedBy::interrupt && is_checkpoint(part.header)) {
+    throw InputError(
+        fmt::format("{}: is a checkpoint amid a sample, which some pixels have and others lack; "
+                    "facet info tells "
+                    "the command that continues it",
+                    file));
+  }
   if (part.record.stopped_by == StoppedBy::interrupt) {
     throw InputError(fmt::format(
         "{}: its render was interrupted: it lacks some of its samples {}; render them again", file,

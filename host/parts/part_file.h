@@ -22,6 +22,10 @@ struct PartFile {
 /// interrupted.
 [[nodiscard]] PartFile open_part(const std::string& file);
 
+/// The record of a header. Throws InputError where the header lacks an entry, or has one that
+/// cannot be.
+[[nodiscard]] RenderRecord read_record(const std::string& file, const ExrHeader& header);
+
 /// Throws InputError, which names the difference, unless both files are of one render of the same
 /// scene.
 void check_same_render(const PartFile& part, const PartFile& first);

@@ -4,10 +4,12 @@
 #include <array>
 #include <atomic>
 #include <numeric>
+#include <stdexcept>
 
 #include "convergence/sampling_plan.h"
 #include "core/clock.h"
 #include "core/parallel.h"
+#include "image/film_words.h"
 #include "reference/crop.h"
 #include "reference/reference_bsdf_evaluator.h"
 #include "reference/tracer.h"
@@ -33,15 +35,17 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
         scene_(std::move(scene)),
         settings_(settings),
         world_(*scene_, settings_),
+        plan_(settings_.goal()),
         films_{blank_film(settings_),
                settings_.goal().has_trial() ? blank_film(settings_) : Film()} {
     statistics_.planned = settings_.total_samples();
   }
 
   void run(const ProgressCallback& progress) override {
-    start_ = std::chrono::steady_clock::now();
+    // Seconds of those who rendered before are counted as well.
+    start_ = Clock::now() - duration_of(statistics_.render_seconds);
     progress_ = progress;
-    note(render_samples(settings_.goal(), *this));
+    note(plan_.run(*this));
   }
 
   std::vector<Radiance> sample(std::uint32_t index) override {
@@ -61,6 +65,23 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
   }
   const RenderStatistics& statistics() const override { return statistics_; }
 
+  RenderState state() const override {
+    RenderState state = state_of(plan_, settings_.goal());
+    state.record = record_so_far(plan_);
+    state.film = films_.front();
+    state.image = words_of(films_.front().pixels);
+    if (settings_.goal().has_trial()) state.trial = words_of(films_.back().pixels);
+    state.statistics = statistics_;
+    return state;
+  }
+  bool is_good_moment() const override { return plan_.is_good_moment(); }
+  void restore(const RenderState& state) override {
+    plan_.restore(state.plan);
+    set_sums(films_.front(), state.image);
+    if (settings_.goal().has_trial()) set_sums(films_.back(), state.trial);
+    add_counts(statistics_, state.statistics);
+  }
+
  private:
   [[nodiscard]] Film& image() { return films_.front(); }
 
@@ -70,10 +91,22 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
     return pixels;
   }
 
-  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
-           std::uint32_t seed) override {
-    return passes(films_.at(static_cast<std::size_t>(to)),
-                  pixels == nullptr ? all_pixels() : *pixels, seed, samples);
+  bool add(const SamplingTask& task, std::uint32_t& next) override {
+    Film& film = films_.at(static_cast<std::size_t>(task.sums));
+    const PixelList all = task.pixels.empty() ? all_pixels() : PixelList();
+    const PixelList& pixels = task.pixels.empty() ? all : task.pixels;
+    const auto most = static_cast<std::uint32_t>(std::max<std::uint64_t>(
+        1, samples_per_pass / std::uint64_t{task.samples.end - task.samples.begin}));
+    while (next < pixels.size()) {
+      const std::size_t end = std::min<std::size_t>(pixels.size(), std::size_t{next} + most);
+      const PixelList some(pixels.begin() + next,
+                           pixels.begin() + static_cast<std::ptrdiff_t>(end));
+      pass(film, some, task.seed, task.samples,
+           [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
+      next = static_cast<std::uint32_t>(end);
+      if (!tell()) return false;
+    }
+    return true;
   }
   Film sums(Sums of) const override { return films_.at(static_cast<std::size_t>(of)); }
   void clear(Sums which) override {
@@ -83,21 +116,18 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
     statistics_.planned = std::max(statistics_.samples, static_cast<std::uint64_t>(samples));
   }
 
-  /// Samples of some pixels, told to the progress; returns whether to go on.
-  bool passes(Film& film, const PixelList& pixels, std::uint32_t seed, const SampleRange& samples) {
-    const auto most =
-        static_cast<std::uint32_t>(std::max<std::uint64_t>(1, samples_per_pass / pixels.size()));
-    for (std::uint32_t sample = samples.begin; sample < samples.end;) {
-      const std::uint32_t end = sample + std::min(most, samples.end - sample);
-      pass(film, pixels, seed, {sample, end},
-           [](std::size_t /*pixel*/, const Vec3<Real>& /*radiance*/) {});
-      statistics_.render_seconds = seconds_since(start_);
-      const double done =
-          static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
-      if (progress_ && !progress_(std::min(done, 1.0), statistics_)) return false;
-      sample = end;
-    }
-    return true;
+  static void set_sums(Film& film, const std::vector<WordPlane>& words) {
+    std::vector<PixelSums> pixels = sums_of(words);
+    if (pixels.size() != film.pixels.size()) throw std::invalid_argument("words of another film");
+    film.pixels = std::move(pixels);
+  }
+
+  /// Calls the progress; returns whether to go on.
+  bool tell() {
+    statistics_.render_seconds = seconds_since(start_);
+    const double done =
+        static_cast<double>(statistics_.samples) / static_cast<double>(statistics_.planned);
+    return !progress_ || progress_(std::min(done, 1.0), statistics_);
   }
 
   /// Adds samples of some pixels to a film, and shows each to `look`.
@@ -143,6 +173,7 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
   ScenePtr scene_;
   RenderSettings settings_;
   World<Real> world_;
+  SamplingPlan plan_;
   std::array<Film, 2> films_;  ///< the image's sums, and the trial's
   ProgressCallback progress_;
   RenderStatistics statistics_;

@@ -1,6 +1,8 @@
 #include "render/film_buffers.h"
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 
 namespace facet {
 
@@ -11,6 +13,9 @@ std::array<double, 3> whole_sums(const shared::FilmRecord& r) {
   return {static_cast<double>(r.hi_r) + r.lo_r, static_cast<double>(r.hi_g) + r.lo_g,
           static_cast<double>(r.hi_b) + r.lo_b};
 }
+
+constexpr std::size_t record_words = sizeof(shared::FilmRecord) / sizeof(std::uint32_t);
+using RecordWords = std::array<std::uint32_t, record_words>;
 
 }  // namespace
 
@@ -71,6 +76,44 @@ void FilmBuffers::read(Film& film, float square_scale) const {
       for (double& s : pixel.squares) s *= unscale;
     }
   }
+}
+
+std::vector<WordPlane> FilmBuffers::words() const {
+  std::vector<WordPlane> planes((with_squares_ ? 2 : 1) * record_words, WordPlane(pixel_count_));
+  const auto read_planes = [&](const std::vector<gpu::Buffer>& buffers, std::size_t first_plane) {
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const auto [first, count] = pieces_[p];
+      const auto records = buffers[p].download<RecordWords>(count);
+      for (std::size_t word = 0; word < record_words; ++word) {
+        for (std::uint32_t i = 0; i < count; ++i)
+          planes[first_plane + word][first + i] = records[i][word];
+      }
+    }
+  };
+  read_planes(sums_, 0);
+  if (with_squares_) read_planes(squares_, record_words);
+  return planes;
+}
+
+void FilmBuffers::set_words(const std::vector<WordPlane>& planes) {
+  const bool fits = planes.size() == (with_squares_ ? 2 : 1) * record_words &&
+                    std::all_of(planes.begin(), planes.end(), [&](const WordPlane& plane) {
+                      return plane.size() == pixel_count_;
+                    });
+  if (!fits) throw std::invalid_argument("words of another film");
+  const auto write_planes = [&](std::vector<gpu::Buffer>& buffers, std::size_t first_plane) {
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const auto [first, count] = pieces_[p];
+      std::vector<RecordWords> records(count);
+      for (std::size_t word = 0; word < record_words; ++word) {
+        for (std::uint32_t i = 0; i < count; ++i)
+          records[i][word] = planes[first_plane + word][first + i];
+      }
+      buffers[p].upload(records);
+    }
+  };
+  write_planes(sums_, 0);
+  if (with_squares_) write_planes(squares_, record_words);
 }
 
 }  // namespace facet

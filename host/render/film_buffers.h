@@ -1,6 +1,7 @@
 #pragma once
 // The film on a device: in pieces, as large as its storage buffers may be.
 #include "image/film.h"
+#include "image/render_state.h"
 #include "render/bindings.h"
 
 namespace facet {
@@ -30,6 +31,11 @@ class FilmBuffers {
   /// Adds the sums to a film of as many pixels, which has squares where this has. square_scale:
   /// factor on the values that have been squared.
   void read(Film& film, float square_scale) const;
+
+  /// The records as they are: a plane for each word of them, those of squares last.
+  [[nodiscard]] std::vector<WordPlane> words() const;
+  /// Sets them. Throws std::invalid_argument unless there are as many.
+  void set_words(const std::vector<WordPlane>& planes);
 
  private:
   std::uint32_t pixel_count_;

@@ -23,6 +23,13 @@ class KernelRendering : public RecordedRendering {
     return film;
   }
   const RenderStatistics& statistics() const override { return renderer_.statistics(); }
+  RenderState state() const override {
+    RenderState state = renderer_.state();
+    state.record = record_so_far(renderer_.plan());
+    return state;
+  }
+  bool is_good_moment() const override { return renderer_.plan().is_good_moment(); }
+  void restore(const RenderState& state) override { renderer_.restore(state); }
 
  private:
   Renderer renderer_;

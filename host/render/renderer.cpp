@@ -64,6 +64,7 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed,
                    std::shared_ptr<RenderProgram> program)
     : device_(device),
       settings_(packed.settings),
+      plan_(packed.settings.goal()),
       features_(packed.features),
       square_scale_(packed.frame.square_scale),
       seed_(packed.settings.seed),
@@ -82,7 +83,7 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed,
   scene_.add_to(map);
   state_.add_to(map);
   map[shared::BINDING_listed_pixels] = &listed_;
-  list_pixels(nullptr);
+  list_pixels({});
   for (const FilmBuffers& film : films_) {
     std::vector<gpu::BoundBuffers>& bound = bound_.emplace_back();
     for (std::size_t piece = 0; piece < film.pieces().size(); ++piece) {
@@ -196,10 +197,10 @@ bool Renderer::tell() {
   return !progress_ || progress_(std::min(done, 1.0), statistics_);
 }
 
-void Renderer::list_pixels(const PixelList* pixels) {
+void Renderer::list_pixels(const PixelList& pixels) {
   if (!features_.pixel_list) return;
-  if (pixels != nullptr) {
-    listed_.upload(*pixels);
+  if (!pixels.empty()) {
+    listed_.upload(pixels);
     return;
   }
   PixelList all(image().pixel_count());
@@ -207,47 +208,45 @@ void Renderer::list_pixels(const PixelList* pixels) {
   listed_.upload(all);
 }
 
-bool Renderer::run_waves(Sums to, std::size_t film_piece, std::uint32_t first, std::uint32_t count,
-                         const SampleRange& samples) {
+bool Renderer::run_waves(const SamplingTask& task, std::size_t film_piece, std::uint32_t& next,
+                         std::uint32_t count) {
   const std::uint32_t per_wave = std::max(1U, state_.slots() / count);
-  for (std::uint32_t k = samples.begin; k < samples.end; k += per_wave) {
-    Wave wave = make_wave(film_piece, first, count, k, std::min(per_wave, samples.end - k));
-    wave.sums = to;
+  for (std::uint32_t k = task.samples.begin; k < task.samples.end; k += per_wave) {
+    Wave wave = make_wave(film_piece, next, count, k, std::min(per_wave, task.samples.end - k));
+    wave.sums = task.sums;
     run_wave(wave);
-    if (!tell()) return false;
   }
-  return true;
+  next += count;
+  return tell();
 }
 
-bool Renderer::add_all(Sums to, const SampleRange& samples) {
+bool Renderer::add_all(const SamplingTask& task, std::uint32_t& next) {
   for (std::size_t piece = 0; piece < image().pieces().size(); ++piece) {
     for (const auto& [first, count] : image().pixel_ranges(piece, state_.slots())) {
-      if (!run_waves(to, piece, first, count, samples)) return false;
+      // Whoever began may have had more slots or fewer.
+      if (first + count > next && !run_waves(task, piece, next, first + count - next)) return false;
     }
   }
   return true;
 }
 
-bool Renderer::add_listed(Sums to, const PixelList& pixels, const SampleRange& samples) {
-  std::uint32_t begin = 0;
+bool Renderer::add_listed(const SamplingTask& task, std::uint32_t& next) {
+  const PixelList& pixels = task.pixels;
   for (std::size_t piece = 0; piece < image().pieces().size(); ++piece) {
     const auto [first_pixel, pixel_count] = image().pieces()[piece];
     const auto last = static_cast<std::uint32_t>(
         std::lower_bound(pixels.begin(), pixels.end(), first_pixel + pixel_count) - pixels.begin());
-    while (begin < last) {
-      const std::uint32_t count = std::min(last - begin, state_.slots());
-      if (!run_waves(to, piece, begin, count, samples)) return false;
-      begin += count;
+    while (next < last) {
+      if (!run_waves(task, piece, next, std::min(last - next, state_.slots()))) return false;
     }
   }
   return true;
 }
 
-bool Renderer::add(Sums to, const PixelList* pixels, const SampleRange& samples,
-                   std::uint32_t seed) {
-  seed_ = seed;
-  list_pixels(pixels);
-  return pixels == nullptr ? add_all(to, samples) : add_listed(to, *pixels, samples);
+bool Renderer::add(const SamplingTask& task, std::uint32_t& next) {
+  seed_ = task.seed;
+  list_pixels(task.pixels);
+  return task.pixels.empty() ? add_all(task, next) : add_listed(task, next);
 }
 
 void Renderer::expect(double samples) {
@@ -255,9 +254,10 @@ void Renderer::expect(double samples) {
 }
 
 SamplingOutcome Renderer::render(const ProgressCallback& progress) {
-  start_ = std::chrono::steady_clock::now();
+  // Seconds of those who rendered before are counted as well.
+  start_ = Clock::now() - duration_of(statistics_.render_seconds);
   progress_ = progress;
-  return render_samples(settings_.goal(), *this);
+  return plan_.run(*this);
 }
 
 std::vector<Radiance> Renderer::render_sample(std::uint32_t sample) {
@@ -283,6 +283,22 @@ Film Renderer::sums(Sums of) const {
 }
 
 Film Renderer::film() const { return film_of(settings_.goal(), *this); }
+
+RenderState Renderer::state() const {
+  RenderState state = state_of(plan_, settings_.goal());
+  state.film = sums(Sums::image);
+  state.image = films_.front().words();
+  if (films_.size() > 1) state.trial = films_.back().words();
+  state.statistics = statistics_;
+  return state;
+}
+
+void Renderer::restore(const RenderState& state) {
+  plan_.restore(state.plan);
+  films_.front().set_words(state.image);
+  if (films_.size() > 1) films_.back().set_words(state.trial);
+  add_counts(statistics_, state.statistics);
+}
 
 std::vector<shared::RayRecord> Renderer::camera_rays() {
   shared::PassConstants constants{};

@@ -25,10 +25,18 @@ class Renderer : private SampleSource {
   SamplingOutcome render(const ProgressCallback& progress);
 
   [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const SamplingPlan& plan() const { return plan_; }
   /// Seconds of each stage, where the settings ask for them.
   [[nodiscard]] const StageSeconds& stage_seconds() const { return stage_seconds_; }
   /// The film so far; its record is empty.
   [[nodiscard]] Film film() const;
+
+  /// What it has come to; the record is left empty. Where `progress` is told, or before or after a
+  /// render.
+  [[nodiscard]] RenderState state() const;
+  /// Takes the state of another renderer with these settings, before the render. Throws
+  /// std::invalid_argument for one that cannot be.
+  void restore(const RenderState& state);
 
   /// Renders one more sample of every pixel of the crop; returns their radiances (W sr^-1 m^-2)
   /// before the filter's weight, row by row.
@@ -49,23 +57,23 @@ class Renderer : private SampleSource {
   };
 
   // As a source of samples.
-  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
-           std::uint32_t seed) override;
+  bool add(const SamplingTask& task, std::uint32_t& next) override;
   [[nodiscard]] Film sums(Sums of) const override;
   void clear(Sums which) override { films_.at(static_cast<std::size_t>(which)).clear(); }
   void expect(double samples) override;
 
   void compile_kernels();
-  /// Lists pixels of the crop for the kernels that read lists: all, or some in ascending order.
-  void list_pixels(const PixelList* pixels);
+  /// Lists pixels of the crop for the kernels that read lists: all where there are none, or these
+  /// in ascending order.
+  void list_pixels(const PixelList& pixels);
   /// Calls the progress; returns whether to go on.
   bool tell();
-  /// Samples of `count` pixels of a piece of the film, or of the list, from `first` on; returns
-  /// whether to go on.
-  bool run_waves(Sums to, std::size_t film_piece, std::uint32_t first, std::uint32_t count,
-                 const SampleRange& samples);
-  bool add_all(Sums to, const SampleRange& samples);
-  bool add_listed(Sums to, const PixelList& pixels, const SampleRange& samples);
+  /// A task's samples of `count` pixels of a piece of the film, or of the list, from `next` on;
+  /// returns whether to go on.
+  bool run_waves(const SamplingTask& task, std::size_t film_piece, std::uint32_t& next,
+                 std::uint32_t count);
+  bool add_all(const SamplingTask& task, std::uint32_t& next);
+  bool add_listed(const SamplingTask& task, std::uint32_t& next);
   [[nodiscard]] Wave make_wave(std::size_t film_piece, std::uint32_t first_pixel,
                                std::uint32_t pixel_count, std::uint32_t first_sample,
                                std::uint32_t sample_count) const;
@@ -84,6 +92,7 @@ class Renderer : private SampleSource {
 
   gpu::Device& device_;
   RenderSettings settings_;
+  SamplingPlan plan_;
   Features features_;
   float square_scale_;
   std::uint32_t seed_;    ///< of the samples that are being rendered

@@ -44,6 +44,16 @@ class RecordedRendering : public Rendering {
     record_.stopped_by = StoppedBy::interrupt;
   }
 
+  /// The record of a render on its way: of the samples that its pixels have.
+  [[nodiscard]] RenderRecord record_so_far(const SamplingPlan& plan) const {
+    RenderRecord record = this->record();
+    const SampleRange whole = plan.whole_samples();
+    // Without a whole one, the first is told that is lacking.
+    record.samples = SampleRanges({whole.begin, std::max(whole.end, whole.begin + 1)});
+    record.stopped_by = plan.is_uneven() ? StoppedBy::interrupt : StoppedBy::samples;
+    return record;
+  }
+
   /// What a render has come to. Until it is told, the record is that of one that was interrupted.
   void note(const SamplingOutcome& outcome) {
     record_.stopped_by = outcome.stopped_by;

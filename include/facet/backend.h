@@ -12,6 +12,8 @@ namespace facet {
 /// Linear radiance (R, G, B) in W sr^-1 m^-2.
 using Radiance = std::array<float, 3>;
 
+struct RenderState;
+
 /// One render on its way.
 class Rendering {
  public:
@@ -33,6 +35,16 @@ class Rendering {
   /// The film so far, with its record.
   [[nodiscard]] virtual Film film() const = 0;
   [[nodiscard]] virtual const RenderStatistics& statistics() const = 0;
+
+  /// All that it takes to continue this rendering elsewhere; checkpoint.h keeps it in files. While
+  /// progress is told, or before or after run().
+  [[nodiscard]] virtual RenderState state() const = 0;
+  /// Whether now is a good moment for it: every pixel has the same samples, which makes it a part
+  /// that others can be merged with. Of an adaptive render, any moment is as good.
+  [[nodiscard]] virtual bool is_good_moment() const = 0;
+  /// Continues where another rendering of the same request was, once run() is called. Throws
+  /// std::invalid_argument for a state that cannot be of such a one.
+  virtual void restore(const RenderState& state) = 0;
 };
 
 class Backend {

@@ -9,6 +9,7 @@
 // Whatever goes wrong is a facet::Error. Scenes and images may be used by several threads at a
 // time, a backend by one.
 #include <facet/backend.h>
+#include <facet/checkpoint.h>
 #include <facet/error.h>
 #include <facet/film.h>
 #include <facet/images.h>

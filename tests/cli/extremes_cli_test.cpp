@@ -37,7 +37,8 @@ TEST_F(ExtremesCliTest, TellsEveryRowInTextJsonAndPage) {
   if (browser.empty()) GTEST_SKIP() << "no chromium to look at the page with";
   const std::string dom = dump_dom(browser, folder_.file("page.html"));
   const std::string page = dom.substr(0, dom.find("<script"));
-  expect_words(page, {"3 of 3 rows hold, 0 are argued, 0 fail", "premise", "atan2(y, 1)", "(--quick)"});
+  expect_words(page,
+               {"3 of 3 rows hold, 0 are argued, 0 fail", "premise", "atan2(y, 1)", "(--quick)"});
   for (const char* wrong : {"undefined", "NaN ", "[object"})
     EXPECT_EQ(page.find(wrong), std::string::npos) << wrong;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/merge.h"
+#include "parts/checksum.h"
 
 namespace facet::test {
 
@@ -166,6 +167,7 @@ TEST_F(MergedTest, TheHeaderTellsOfTheWhole) {
   for (auto& [key, text] : elsewhere.metadata) {
     if (key == "facet.device") text = "another device";
   }
+  add_checksum(elsewhere);
   write_exr(folder_.file("b.exr"), elsewhere);
   EXPECT_EQ(metadata(merge({"a.exr", "b.exr"}), "facet.device"),
             metadata(whole, "facet.device") + "; another device");

@@ -20,6 +20,9 @@ class GreyRendering : public Rendering {
   RenderRecord record() const override { return {}; }
   Film film() const override { return {}; }
   const RenderStatistics& statistics() const override { return statistics_; }
+  RenderState state() const override { return {}; }
+  bool is_good_moment() const override { return true; }
+  void restore(const RenderState& /*state*/) override {}
 
  private:
   RenderSettings settings_;

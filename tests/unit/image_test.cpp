@@ -1,7 +1,10 @@
 // EXR and PNG files: what is written is read back, and a failed write harms nothing.
 #include <facet/film.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -190,7 +193,6 @@ TEST_F(ImageTest, UncommittedFilesVanish) {
   {
     AtomicFile file(folder_.file("a.txt"));
     file.write("new");
-    EXPECT_EQ(folder_.names().size(), 1U);
     EXPECT_FALSE(std::filesystem::exists(folder_.file("a.txt")));
   }
   EXPECT_TRUE(folder_.names().empty());
@@ -211,6 +213,22 @@ TEST_F(ImageTest, AFailedWriteIsNotForgotten) {
   }
   EXPECT_EQ(folder_.read("a.txt"), "old");
   EXPECT_EQ(folder_.names(), Names{"a.txt"});
+}
+
+TEST_F(ImageTest, AKilledProgramLeavesNoTemporaryFile) {
+  const int unnamed = ::open(folder_.file(".").c_str(), O_WRONLY | O_TMPFILE, 0600);
+  if (unnamed < 0) GTEST_SKIP() << "a file system without files that have no name";
+  ::close(unnamed);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    AtomicFile file(folder_.file("a.txt"));
+    file.write("new");
+    (void)::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(ImageTest, StaleTemporaryFilesAreSwept) {

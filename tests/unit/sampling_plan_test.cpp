@@ -32,29 +32,35 @@ class Fake : public SampleSource {
   Clock::duration per_sample = 0ns;  ///< of one pixel
   double jitter = 0;                 ///< part of that by which it varies
   int calls_left = 1 << 30;          ///< until it is interrupted
+  std::uint32_t pixels_at_a_time = 1U << 30U;
   std::map<std::pair<Sums, std::uint32_t>, std::vector<SampleRange>> given;  ///< to each pixel
   std::vector<std::uint32_t> seeds;
   double expected = 0;
 
-  bool add(Sums to, const PixelList* pixels, const SampleRange& samples,
-           std::uint32_t seed) override {
-    seeds.push_back(seed);
-    PixelList all;
-    if (pixels == nullptr) {
+  bool add(const SamplingTask& task, std::uint32_t& next) override {
+    seeds.push_back(task.seed);
+    PixelList all = task.pixels;
+    if (all.empty()) {
       for (std::uint32_t p = 0; p < side * side; ++p) all.push_back(p);
-      pixels = &all;
     }
-    EXPECT_TRUE(std::is_sorted(pixels->begin(), pixels->end()));
-    for (const std::uint32_t p : *pixels) {
-      given[{to, p}].push_back(samples);
-      add_pixel(films_.at(static_cast<std::size_t>(to)).pixels[p], samples.end - samples.begin,
-                p % 16 == 0 ? spread * width_ : width_);
+    EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+    const SampleRange& samples = task.samples;
+    while (next < all.size()) {
+      const auto end = static_cast<std::uint32_t>(
+          std::min<std::uint64_t>(all.size(), std::uint64_t{next} + pixels_at_a_time));
+      for (; next < end; ++next) {
+        const std::uint32_t p = all[next];
+        given[{task.sums, p}].push_back(samples);
+        add_pixel(films_.at(static_cast<std::size_t>(task.sums)).pixels[p],
+                  samples.end - samples.begin, p % 16 == 0 ? spread * width_ : width_);
+      }
+      if (--calls_left <= 0) return false;
     }
     std::uniform_real_distribution<double> uneven(1 - jitter, 1 + jitter);
     const double count =
-        static_cast<double>(pixels->size()) * static_cast<double>(samples.end - samples.begin);
+        static_cast<double>(all.size()) * static_cast<double>(samples.end - samples.begin);
     now_ += std::chrono::duration_cast<Clock::duration>(per_sample * count * uneven(random_));
-    return --calls_left > 0;
+    return true;
   }
   [[nodiscard]] Film sums(Sums of) const override {
     return films_.at(static_cast<std::size_t>(of));
@@ -97,6 +103,10 @@ class Fake : public SampleSource {
   std::array<Film, 2> films_;
   Clock::time_point now_{};
 };
+
+SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source) {
+  return SamplingPlan(goal).run(source);
+}
 
 SamplingGoal goal_of(std::uint32_t samples) {
   return {side, side, {0, samples}, 7, false, false, {}, {}};
@@ -290,7 +300,7 @@ TEST(SamplingPlan, an_interrupt_during_the_pilot_leaves_its_film) {
   SamplingGoal goal = goal_of(64);
   goal.adaptive = true;
   EXPECT_EQ(render_samples(goal, source).stopped_by, StoppedBy::interrupt);
-  EXPECT_EQ(film_of(goal, source).pixels[9].samples, 4U);
+  EXPECT_EQ(film_of(goal, source).pixels[9].samples, 1U);
 }
 
 }  // namespace

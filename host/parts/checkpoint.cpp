@@ -1,0 +1,286 @@
+#include "parts/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "image/film.h"
+#include "image/film_words.h"
+#include "image/record.h"
+#include "parts/checksum.h"
+#include "parts/part.h"
+
+namespace facet {
+
+namespace {
+
+constexpr const char* state_key = "facet.state";
+
+// ------------------------------------------------------------------------------ numbers
+
+std::string text_of(std::uint32_t value) { return fmt::format("{}", value); }
+std::string text_of(std::uint64_t value) { return fmt::format("{}", value); }
+std::string text_of(bool value) { return value ? "1" : "0"; }
+std::string text_of(double value) { return fmt::format("{}", value); }
+std::string text_of(SamplingState::Stage value) {
+  return fmt::format("{}", static_cast<std::uint32_t>(value));
+}
+std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : "none"; }
+
+bool read(const std::string& text, std::uint64_t& value) {
+  const auto number = parse_integer(text);
+  if (!number || *number < 0) return false;
+  value = static_cast<std::uint64_t>(*number);
+  return true;
+}
+bool read(const std::string& text, std::uint32_t& value) {
+  std::uint64_t number = 0;
+  if (!read(text, number) || number > 0xffffffffU) return false;
+  value = static_cast<std::uint32_t>(number);
+  return true;
+}
+bool read(const std::string& text, bool& value) {
+  value = text == "1";
+  return value || text == "0";
+}
+bool read(const std::string& text, double& value) {
+  const auto number = parse_real(text);
+  if (number) value = *number;
+  return number.has_value();
+}
+bool read(const std::string& text, SamplingState::Stage& value) {
+  std::uint32_t number = 0;
+  if (!read(text, number) || number > static_cast<std::uint32_t>(SamplingState::Stage::image))
+    return false;
+  value = static_cast<SamplingState::Stage>(number);
+  return true;
+}
+bool read(const std::string& text, std::optional<double>& value) {
+  if (text == "none") return true;
+  return read(text, value.emplace());
+}
+
+/// Every number of a state beside its record, by name.
+template <typename State, typename Visit>
+void visit_numbers(State& state, const Visit& visit) {
+  visit("stage", state.plan.stage);
+  visit("pilot", state.plan.pilot);
+  visit("spent", state.plan.spent);
+  visit("done", state.plan.done);
+  visit("more", state.plan.more);
+  visit("least", state.plan.least);
+  visit("wanted", state.plan.wanted);
+  visit("task", state.plan.task);
+  visit("sample", state.plan.sample);
+  visit("length", state.plan.length);
+  visit("pixel", state.plan.pixel);
+  visit("first", state.first);
+  visit("most", state.most);
+  visit("timed", state.timed);
+  visit("error", state.error);
+  visit("probes", state.probes);
+  visit("closestRays", state.statistics.closest_rays);
+  visit("anyRays", state.statistics.any_rays);
+  visit("samples", state.statistics.samples);
+  visit("badSamples", state.statistics.bad_samples);
+  visit("boundHits", state.statistics.bound_hits);
+  visit("seconds", state.statistics.render_seconds);
+}
+
+std::string numbers_text(const RenderState& state) {
+  std::string text;
+  visit_numbers(state, [&](const char* name, const auto& value) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, text_of(value));
+  });
+  return text;
+}
+
+void read_numbers(const std::string& text, RenderState& state, const std::string& file) {
+  std::map<std::string, std::string, std::less<>> entries;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view entry = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
+    const std::size_t middle = std::min(entry.find('='), entry.size());
+    entries[std::string(entry.substr(0, middle))] =
+        entry.substr(std::min(middle + 1, entry.size()));
+  }
+  visit_numbers(state, [&](const char* name, auto& value) {
+    const auto found = entries.find(name);
+    if (found == entries.end() || !read(found->second, value))
+      throw InputError(fmt::format("{}: damaged: {} lacks a good {}", file, state_key, name));
+  });
+}
+
+/// Without planes, record and film.
+RenderState numbers_of(const PartFile& checkpoint) {
+  RenderState state;
+  read_numbers(*find_metadata(checkpoint.header.metadata, state_key), state, checkpoint.file);
+  return state;
+}
+
+/// Those that every pixel has, on average where they differ.
+std::uint64_t whole_samples(const RenderState& state) {
+  const bool of_image = state.plan.stage == SamplingState::Stage::image && state.plan.task == 0;
+  return std::uint64_t{state.plan.done} + (of_image ? state.plan.sample : state.plan.more);
+}
+
+// ------------------------------------------------------------------------------- planes
+
+std::string plane_name(const char* group, std::size_t index) {
+  return fmt::format("{}{}.{:02}", word_prefix, group, index);
+}
+
+/// Adds a group of planes to the image.
+void name_planes(std::vector<std::string>& channels, const char* group,
+                 const std::vector<WordPlane>& planes) {
+  for (std::size_t k = 0; k < planes.size(); ++k) channels.push_back(plane_name(group, k));
+}
+void write_planes(Image& image, const char* group, const std::vector<WordPlane>& planes) {
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    std::memcpy(image.plane(image.find_channel(plane_name(group, k))), planes[k].data(),
+                planes[k].size() * sizeof(std::uint32_t));
+  }
+}
+
+std::vector<WordPlane> read_planes(const Image& image, const char* group) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  std::vector<WordPlane> planes;
+  for (;;) {
+    const int channel = image.find_channel(plane_name(group, planes.size()));
+    if (channel < 0) return planes;
+    WordPlane& plane = planes.emplace_back(pixels);
+    std::memcpy(plane.data(), image.plane(channel), pixels * sizeof(std::uint32_t));
+  }
+}
+
+/// All groups of planes of a state, by name.
+std::vector<std::pair<const char*, std::vector<WordPlane>>> planes_of(const RenderState& state) {
+  const SamplingState& plan = state.plan;
+  std::vector<std::pair<const char*, std::vector<WordPlane>>> groups{{"image", state.image},
+                                                                     {"trial", state.trial}};
+  if (!plan.counts.empty()) groups.push_back({"counts", {plan.counts}});
+  if (!plan.wishes.empty()) groups.push_back({"wishes", words_of(plan.wishes)});
+  if (!plan.first_half.empty()) groups.push_back({"half", words_of(plan.first_half)});
+  return groups;
+}
+
+// --------------------------------------------------------------------------- comparison
+
+/// Devices of one class compute alike: what stands in brackets behind a name are versions.
+std::string device_class(const std::string& device) { return device.substr(0, device.find(" (")); }
+
+PartFile described(const RenderState& state, const std::string& file) {
+  PartFile part{file, {}, state.record};
+  part.header.width = state.film.width;
+  part.header.height = state.film.height;
+  part.header.window = state.film.window;
+  return part;
+}
+
+void check_number(const std::string& file, const char* what, const std::string& its,
+                  const std::string& own) {
+  if (its != own)
+    throw InputError(
+        fmt::format("{}: its {} is {}, but that of this render is {}", file, what, its, own));
+}
+
+}  // namespace
+
+bool is_checkpoint(const ExrHeader& header) {
+  return find_metadata(header.metadata, state_key) != nullptr;
+}
+
+Image make_checkpoint(const RenderState& state) {
+  Film film = state.film;
+  film.record = state.record;
+  Image image = make_part(film, false);
+  const auto groups = planes_of(state);
+  std::vector<std::string> channels;
+  for (const auto& [group, planes] : groups) name_planes(channels, group, planes);
+  image = with_channels(image, channels);
+  for (const auto& [group, planes] : groups) write_planes(image, group, planes);
+  image.metadata.emplace_back(state_key, numbers_text(state));
+  add_checksum(image);
+  return image;
+}
+
+RenderState read_checkpoint(const std::string& file) {
+  const Image image = read_exr(file);
+  const ExrHeader header{image.width(), image.height(), image.window, image.channels(),
+                         image.metadata};
+  if (!is_checkpoint(header))
+    throw InputError(
+        fmt::format("{}: is no checkpoint, which facet render --checkpoint FILE.exr writes", file));
+  check_checksum(image, file);
+  RenderState state;
+  state.record = read_record(file, header);
+  state.film =
+      make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
+  read_numbers(*find_metadata(image.metadata, state_key), state, file);
+  state.image = read_planes(image, "image");
+  state.trial = read_planes(image, "trial");
+  const auto counts = read_planes(image, "counts");
+  if (!counts.empty()) state.plan.counts = counts.front();
+  const auto wishes = read_planes(image, "wishes");
+  if (!wishes.empty()) state.plan.wishes = doubles_of(wishes);
+  const auto half = read_planes(image, "half");
+  if (!half.empty()) state.plan.first_half = sums_of(half);
+  return state;
+}
+
+void check_continues(const RenderState& saved, const std::string& file, const RenderState& own) {
+  check_same_render(described(saved, file), described(own, "this render"));
+  const auto range = [](const RenderState& s) {
+    return fmt::format("{}:{}", s.first, std::uint64_t{s.first} + s.most);
+  };
+  const auto has = [](bool there) { return there ? "there" : "none"; };
+  check_number(file, "range of samples", range(saved), range(own));
+  check_number(file, "error to stop at", text_of(saved.error), text_of(own.error));
+  check_number(file, "time to stop at", has(saved.timed), has(own.timed));
+  check_number(file, "second estimate of some pixels", has(saved.probes), has(own.probes));
+  check_number(file, "sum of squares", has(saved.film.has_squares), has(own.film.has_squares));
+  check_number(file, "kind of device", device_class(saved.record.device),
+               device_class(own.record.device));
+}
+
+std::string describe_progress(const PartFile& checkpoint) {
+  const RenderState state = numbers_of(checkpoint);
+  const std::string done = fmt::format("{:.1f} s of rendering and {} samples of a pixel",
+                                       state.statistics.render_seconds, whole_samples(state));
+  return state.error || state.timed ? done : fmt::format("{} of {}", done, state.most);
+}
+
+std::string continue_command(const PartFile& checkpoint) {
+  const RenderState state = numbers_of(checkpoint);
+  const ExrHeader& h = checkpoint.header;
+  const RenderRecord& record = checkpoint.record;
+  std::string command =
+      fmt::format("facet render --resolution={}x{}", h.window.full_width, h.window.full_height);
+  if (h.width != h.window.full_width || h.height != h.window.full_height)
+    command += fmt::format(" --crop={},{},{},{}", h.window.x, h.window.y, h.window.x + h.width,
+                           h.window.y + h.height);
+  for (const RecordField& field : record_fields()) {
+    const bool said = field.option != nullptr && field.common && is_chosen(field, record);
+    const auto value = said ? field.read(record) : std::nullopt;
+    if (value) command += fmt::format(" {}={}", field.option, shell_word(*value));
+  }
+  const bool open_ended = state.error || state.timed;
+  if (state.first > 0) {
+    command += fmt::format(" --sample-range={}:{}", state.first, state.first + state.most);
+  } else if (!record.planned && (!open_ended || state.most < 1U << 30U)) {
+    command += fmt::format(" --spp={}", state.most);
+  }
+  if (record.adaptive) command += " --adaptive";
+  if (state.error) command += fmt::format(" --error={}", *state.error);
+  if (state.timed) command += " --time=SECONDS";
+  return command + fmt::format(" --checkpoint={} --resume -- {}", shell_word(checkpoint.file),
+                               shell_word(record.scene));
+}
+
+}  // namespace facet
