@@ -160,14 +160,14 @@ class RenderJob {
     keep(rendering->film(), outcome_);
   }
 
-  void run_with_checkpoints(Rendering& rendering, const ProgressCallback& tell) const {
+  void run_with_checkpoints(Rendering& rendering, const ProgressCallback& tell) {
     const std::string& file = *options_.checkpoint;
     if (options_.resume) {
       const bool continued = resume(rendering, file);
       if (!options_.quiet)
         say("{}: {}\n", file, continued ? "continued" : "no such file yet, so it starts anew");
     }
-    facet::run_with_checkpoints(
+    outcome_.checkpoints = facet::run_with_checkpoints(
         rendering,
         {file, options_.checkpoint_every,
          [](const std::string& message) { say("warning: {}; the render goes on\n", message); }},

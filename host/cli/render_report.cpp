@@ -74,6 +74,9 @@ std::string make_json_report(const RenderOutcome& o) {
       {"memory", {{"device_bytes", s.device_bytes}, {"host_peak_bytes", host_peak_bytes()}}},
       {"output", o.files},
   });
+  if (o.checkpoints)
+    json["checkpoints"] = {{"written", o.checkpoints->written},
+                           {"seconds", o.checkpoints->seconds}};
   if (o.is_pixel) json["pixel"] = {o.image.at(0, 0, 0), o.image.at(0, 0, 1), o.image.at(0, 0, 2)};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -1,5 +1,6 @@
 #pragma once
 // What a render came to, and how it is told: the report in JSON, and lines for people.
+#include <facet/checkpoint.h>
 #include <facet/film.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,6 +26,7 @@ struct RenderOutcome {
   HeavyTails heavy_tails;
   double load_seconds = 0;
   double write_seconds = 0;
+  std::optional<CheckpointCosts> checkpoints;
   bool interrupted = false;
   std::vector<std::string> files;  ///< written
 };

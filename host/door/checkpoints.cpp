@@ -56,15 +56,19 @@ class Saver {
     });
   }
 
+  [[nodiscard]] const CheckpointCosts& costs() const { return costs_; }
+
   /// Waits for what is being written, and decides when to write again.
   void finish() {
     if (!writing_.valid()) return;
     double seconds = copying_;
     try {
       seconds += writing_.get();
+      ++costs_.written;
     } catch (const Error& error) {
       if (options_.on_failure) options_.on_failure(error.what());
     }
+    costs_.seconds += seconds;
     due_ = started_ + duration_of(std::max(options_.every, seconds / largest_share));
   }
 
@@ -75,6 +79,7 @@ class Saver {
   Clock::time_point started_;
   double copying_ = 0;  ///< seconds that the rendering waited for a copy of its state
   std::future<double> writing_;
+  CheckpointCosts costs_;
 };
 
 }  // namespace
@@ -96,8 +101,8 @@ bool resume(Rendering& rendering, const std::filesystem::path& file) {
   return true;
 }
 
-void run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options,
-                          const ProgressCallback& progress) {
+CheckpointCosts run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options,
+                                     const ProgressCallback& progress) {
   Saver saver(rendering, options);
   bool ended = false;
   rendering.run([&](double done, const RenderStatistics& statistics) {
@@ -106,7 +111,11 @@ void run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options
     return !ended;
   });
   saver.finish();
-  if (ended) save_checkpoint(rendering, options.file);
+  const CheckpointCosts costs = saver.costs();
+  if (!ended) return costs;
+  const Clock::time_point start = Clock::now();
+  save_checkpoint(rendering, options.file);
+  return {costs.written + 1, costs.seconds + seconds_since(start)};
 }
 
 }  // namespace facet

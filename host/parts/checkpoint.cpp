@@ -135,16 +135,16 @@ std::string plane_name(const char* group, std::size_t index) {
   return fmt::format("{}{}.{:02}", word_prefix, group, index);
 }
 
-/// Adds a group of planes to the image.
-void name_planes(std::vector<std::string>& channels, const char* group,
-                 const std::vector<WordPlane>& planes) {
-  for (std::size_t k = 0; k < planes.size(); ++k) channels.push_back(plane_name(group, k));
-}
-void write_planes(Image& image, const char* group, const std::vector<WordPlane>& planes) {
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    std::memcpy(image.plane(image.find_channel(plane_name(group, k))), planes[k].data(),
-                planes[k].size() * sizeof(std::uint32_t));
-  }
+/// A plane of a state, and its channel.
+struct NamedPlane {
+  std::string channel;
+  const WordPlane* plane;
+};
+
+void add_planes(std::vector<NamedPlane>& list, const char* group,
+                const std::vector<WordPlane>& planes) {
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    list.push_back({plane_name(group, k), &planes[k]});
 }
 
 std::vector<WordPlane> read_planes(const Image& image, const char* group) {
@@ -157,17 +157,6 @@ std::vector<WordPlane> read_planes(const Image& image, const char* group) {
     WordPlane& plane = planes.emplace_back(pixels);
     std::memcpy(plane.data(), image.plane(channel), pixels * sizeof(std::uint32_t));
   }
-}
-
-/// All groups of planes of a state, by name.
-std::vector<std::pair<const char*, std::vector<WordPlane>>> planes_of(const RenderState& state) {
-  const SamplingState& plan = state.plan;
-  std::vector<std::pair<const char*, std::vector<WordPlane>>> groups{{"image", state.image},
-                                                                     {"trial", state.trial}};
-  if (!plan.counts.empty()) groups.push_back({"counts", {plan.counts}});
-  if (!plan.wishes.empty()) groups.push_back({"wishes", words_of(plan.wishes)});
-  if (!plan.first_half.empty()) groups.push_back({"half", words_of(plan.first_half)});
-  return groups;
 }
 
 // --------------------------------------------------------------------------- comparison
@@ -197,14 +186,25 @@ bool is_checkpoint(const ExrHeader& header) {
 }
 
 Image make_checkpoint(const RenderState& state) {
+  const SamplingState& plan = state.plan;
+  const std::vector<WordPlane> counts(plan.counts.empty() ? 0 : 1, plan.counts);
+  const std::vector<WordPlane> wishes = words_of(plan.wishes);
+  const std::vector<WordPlane> half = words_of(plan.first_half);
+  std::vector<NamedPlane> planes;
+  add_planes(planes, "image", state.image);
+  add_planes(planes, "trial", state.trial);
+  add_planes(planes, "counts", counts);
+  if (!plan.wishes.empty()) add_planes(planes, "wishes", wishes);
+  if (!plan.first_half.empty()) add_planes(planes, "half", half);
+  std::vector<std::string> channels;
+  for (const NamedPlane& plane : planes) channels.push_back(plane.channel);
   Film film = state.film;
   film.record = state.record;
-  Image image = make_part(film, false);
-  const auto groups = planes_of(state);
-  std::vector<std::string> channels;
-  for (const auto& [group, planes] : groups) name_planes(channels, group, planes);
-  image = with_channels(image, channels);
-  for (const auto& [group, planes] : groups) write_planes(image, group, planes);
+  Image image = make_part(film, false, channels);
+  for (const auto& [channel, plane] : planes) {
+    std::memcpy(image.plane(image.find_channel(channel)), plane->data(),
+                plane->size() * sizeof(std::uint32_t));
+  }
   image.metadata.emplace_back(state_key, numbers_text(state));
   add_checksum(image);
   return image;

@@ -47,58 +47,69 @@ int choose_exponent(const Film& film, Sums sums) {
   return std::ilogb(largest) + 1 - 127;
 }
 
-/// The planes of a pair's channels within an image.
+/// value * 2^exponent; fast for the usual exponent.
+double scaled(double value, int exponent) {
+  return exponent == 0 ? value : std::ldexp(value, exponent);
+}
+
+/// Index of a channel of a part's image. Throws InputError where it has none.
+int find_plane(const Image& image, const std::string& channel, const std::string& file) {
+  const int index = image.find_channel(channel);
+  if (index < 0) throw InputError(fmt::format("{}: lacks the channel {} of a part", file, channel));
+  return index;
+}
+
+/// The planes of a pair's channels within an image: Plane is float* or const float*.
+template <typename Plane>
 class PairPlanes {
  public:
-  /// Adds the channels' names to the list, for an image to be made of it.
-  static void name(std::vector<std::string>& channels, const std::string& channel,
-                   bool high_is_there) {
-    if (!high_is_there) channels.push_back(channel);
-    channels.push_back(channel + ".low");
-  }
-  PairPlanes(const Image& image, const std::string& channel, const std::string& file)
-      : high_(find(image, channel, file)), low_(find(image, channel + ".low", file)) {}
+  template <typename AnyImage>
+  PairPlanes(AnyImage& image, const std::string& channel, const std::string& file)
+      : high_(image.plane(find_plane(image, channel, file))),
+        low_(image.plane(find_plane(image, channel + ".low", file))) {}
 
-  void set(Image& image, std::size_t i, const Pair& pair) const {
-    image.plane(high_)[i] = pair.high;
-    image.plane(low_)[i] = pair.low;
+  void set(std::size_t i, const Pair& pair) const {
+    high_[i] = pair.high;
+    low_[i] = pair.low;
   }
-  [[nodiscard]] double get(const Image& image, std::size_t i) const {
-    return Pair(image.plane(high_)[i], image.plane(low_)[i]).value();
-  }
+  [[nodiscard]] double get(std::size_t i) const { return Pair(high_[i], low_[i]).value(); }
 
  private:
-  static int find(const Image& image, const std::string& channel, const std::string& file) {
-    const int index = image.find_channel(channel);
-    if (index < 0)
-      throw InputError(fmt::format("{}: lacks the channel {} of a part", file, channel));
-    return index;
-  }
-  int high_;
-  int low_;
+  Plane high_;
+  Plane low_;
 };
+
+template <typename AnyImage>
+PairPlanes(AnyImage& image, const std::string& channel, const std::string& file)
+    -> PairPlanes<decltype(image.plane(0))>;
+
+/// Adds the names of a pair's channels to the list.
+void name_pair(std::vector<std::string>& channels, const std::string& channel, bool high_is_there) {
+  if (!high_is_there) channels.push_back(channel);
+  channels.push_back(channel + ".low");
+}
 
 void round_to_pairs(Film& film, Sums sums, int exponent) {
   for (PixelSums& pixel : film.pixels) {
-    for (double& sum : pixel.*sums)
-      sum = std::ldexp(Pair(std::ldexp(sum, -exponent)).value(), exponent);
+    for (double& sum : pixel.*sums) sum = scaled(Pair(scaled(sum, -exponent)).value(), exponent);
   }
 }
 
 void write_sums(Image& image, const Film& film, Sums sums, const std::string& prefix,
                 int exponent) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const PairPlanes planes(image, prefix + colors[c], "");
-    for (std::size_t i = 0; i < film.pixels.size(); ++i)
-      planes.set(image, i, Pair(std::ldexp((film.pixels[i].*sums)[c], -exponent)));
+  const std::array planes{PairPlanes(image, prefix + colors[0], ""),
+                          PairPlanes(image, prefix + colors[1], ""),
+                          PairPlanes(image, prefix + colors[2], "")};
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      planes[c].set(i, Pair(scaled((film.pixels[i].*sums)[c], -exponent)));
   }
 }
 
 void write_counts(Image& image, const Film& film, std::uint32_t PixelSums::*count,
                   const std::string& channel) {
   const PairPlanes planes(image, channel, "");
-  for (std::size_t i = 0; i < film.pixels.size(); ++i)
-    planes.set(image, i, Pair(film.pixels[i].*count));
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) planes.set(i, Pair(film.pixels[i].*count));
 }
 
 int read_exponent(const Image& image, const std::string& key, const std::string& file) {
@@ -114,7 +125,7 @@ void read_sums(Film& film, Sums sums, const Image& image, const std::string& pre
   for (std::size_t c = 0; c < 3; ++c) {
     const PairPlanes planes(image, prefix + colors[c], file);
     for (std::size_t i = 0; i < film.pixels.size(); ++i)
-      (film.pixels[i].*sums)[c] = std::ldexp(planes.get(image, i), exponent);
+      (film.pixels[i].*sums)[c] = scaled(planes.get(i), exponent);
   }
 }
 
@@ -130,7 +141,7 @@ void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& imag
                  const std::string& channel, std::uint32_t most, const std::string& file) {
   const PairPlanes planes(image, channel, file);
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    const double count = planes.get(image, i);
+    const double count = planes.get(i);
     if (!(count >= 0 && count <= most && count == std::floor(count)))
       fail_at(film, i, file,
               fmt::format("has {} in {}, but there are {} samples", count, channel, most));
@@ -167,7 +178,8 @@ void check_means(const Film& film, const Image& image, const std::string& file) 
 
 }  // namespace
 
-Image make_part(const Film& film, bool with_variance) {
+Image make_part(const Film& film, bool with_variance,
+                const std::vector<std::string>& more_channels) {
   Film kept = film;
   const int sum_exponent = choose_exponent(film, &PixelSums::values);
   const int square_exponent = choose_exponent(film, &PixelSums::squares);
@@ -175,12 +187,13 @@ Image make_part(const Film& film, bool with_variance) {
   round_to_pairs(kept, &PixelSums::squares, square_exponent);
   Image image = develop(kept, with_variance);
   std::vector<std::string> channels;
-  for (const std::string color : colors) PairPlanes::name(channels, "sum." + color, false);
+  for (const std::string color : colors) name_pair(channels, "sum." + color, false);
   if (film.has_squares) {
-    for (const std::string color : colors) PairPlanes::name(channels, "square." + color, false);
+    for (const std::string color : colors) name_pair(channels, "square." + color, false);
   }
-  PairPlanes::name(channels, "samples", image.find_channel("samples") >= 0);
-  PairPlanes::name(channels, "samples.nonzero", with_variance);
+  name_pair(channels, "samples", image.find_channel("samples") >= 0);
+  name_pair(channels, "samples.nonzero", with_variance);
+  channels.insert(channels.end(), more_channels.begin(), more_channels.end());
   image = with_channels(image, channels);
   write_sums(image, kept, &PixelSums::values, "sum.", sum_exponent);
   image.metadata.emplace_back(sum_exponent_key, fmt::format("{}", sum_exponent));

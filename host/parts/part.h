@@ -13,8 +13,9 @@ namespace facet {
 /// while all values lie within 2^-100 ... 2^126, else as puts the largest just below 2^127. What is
 /// stored is then within 2^-49 of the sum, relatively, for every value above 2^-227 of the film's
 /// largest, and within 2^-276 of that largest below. Infinities and NaN stay what they are. R, G, B
-/// and the variance are developed from the sums as stored.
-[[nodiscard]] Image make_part(const Film& film, bool with_variance);
+/// and the variance are developed from the sums as stored. `more_channels` are added, all zero.
+[[nodiscard]] Image make_part(const Film& film, bool with_variance,
+                              const std::vector<std::string>& more_channels = {});
 
 /// The film of a part, its window included. Throws InputError, which begins with the name, for an
 /// image that lacks such channels or metadata, or whose numbers contradict each other: counts that

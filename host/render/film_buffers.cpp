@@ -84,8 +84,8 @@ std::vector<WordPlane> FilmBuffers::words() const {
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       const auto [first, count] = pieces_[p];
       const auto records = buffers[p].download<RecordWords>(count);
-      for (std::size_t word = 0; word < record_words; ++word) {
-        for (std::uint32_t i = 0; i < count; ++i)
+      for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::size_t word = 0; word < record_words; ++word)
           planes[first_plane + word][first + i] = records[i][word];
       }
     }
@@ -105,8 +105,8 @@ void FilmBuffers::set_words(const std::vector<WordPlane>& planes) {
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       const auto [first, count] = pieces_[p];
       std::vector<RecordWords> records(count);
-      for (std::size_t word = 0; word < record_words; ++word) {
-        for (std::uint32_t i = 0; i < count; ++i)
+      for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::size_t word = 0; word < record_words; ++word)
           records[i][word] = planes[first_plane + word][first + i];
       }
       buffers[p].upload(records);

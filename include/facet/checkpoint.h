@@ -24,9 +24,15 @@ void save_checkpoint(const Rendering& rendering, const std::filesystem::path& fi
 /// the difference, for a checkpoint of another scene, version, setting or kind of device.
 bool resume(Rendering& rendering, const std::filesystem::path& file);
 
+/// What checkpoints have cost a render.
+struct CheckpointCosts {
+  int written = 0;
+  double seconds = 0;  ///< that the render would have been shorter by
+};
+
 /// Runs a rendering and saves it time and again, and once more where `progress` ends it. The file
 /// of a render that is complete may be removed.
-void run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options,
-                          const ProgressCallback& progress = {});
+CheckpointCosts run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options,
+                                     const ProgressCallback& progress = {});
 
 }  // namespace facet
