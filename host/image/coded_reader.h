@@ -14,8 +14,9 @@ namespace facet {
 
 /// The samples of a file by a Reader of its format's library, which has read_header(FILE*) and
 /// read_pixels(bytes), false on failure; width(), height(), sample_size() in bytes, once the header
-/// is read; and message(). format: `PNG`, for messages. Throws InputError where the file is
-/// missing, unreadable, damaged or too large.
+/// is read; values_per_byte(), the most that compression can have made of one; and message().
+/// format: `PNG`, for messages. Throws InputError where the file is missing, unreadable, damaged or
+/// too large.
 template <typename Reader>
 [[nodiscard]] CodedImage read_coded(const std::filesystem::path& path, std::string_view format) {
   check_input_file(path);
@@ -30,7 +31,7 @@ template <typename Reader>
           fmt::format("{}: not a readable {} image: {}", path.string(), format, reader.message()));
   };
   expect(reader.read_header(in.get()));
-  check_file_image_size(path, reader.width(), reader.height(), 3);
+  check_file_image_size(path, reader.width(), reader.height(), 3, reader.values_per_byte());
   CodedImage image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), 255, {}};
   const std::size_t samples = 3 * static_cast<std::size_t>(reader.width()) * reader.height();
   std::vector<std::uint8_t> pixels(samples * reader.sample_size());

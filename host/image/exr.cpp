@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/input_file.h"
 #include "core/parallel.h"
+#include "image/exr_attributes.h"
 #include "image/files.h"
 
 namespace facet {
@@ -70,6 +71,25 @@ std::vector<std::string> channel_names(const ReadPart& part, const Imf::Header& 
   return names;
 }
 
+/// Values, of 16 bits at least, that a byte of such a part stands for at most; four times as many,
+/// since channels may have every other pixel of every other row alone.
+double values_per_byte(Imf::Compression compression) {
+  constexpr double subsampled = 4;
+  switch (compression) {
+    case Imf::NO_COMPRESSION:
+      return subsampled / 2;
+    case Imf::RLE_COMPRESSION:
+      // Two bytes say how often which byte is repeated, 128 times at most.
+      return subsampled * 64 / 2;
+    case Imf::ZIPS_COMPRESSION:
+    case Imf::ZIP_COMPRESSION:
+    case Imf::PXR24_COMPRESSION:
+      return subsampled * largest_inflation / 2;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
 ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInputFile& file) {
   const std::vector<ReadPart> parts = parts_to_read(path, file);
   const Imf::Header& header = file.header(parts.front().number);
@@ -87,7 +107,10 @@ ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInput
   const Imath::Box2i display = header.displayWindow();
   const long long full_width = 1LL + display.max.x - display.min.x;
   const long long full_height = 1LL + display.max.y - display.min.y;
-  check_file_image_size(path, width, height, result.channels.size());
+  double most = 0;
+  for (const ReadPart& part : parts)
+    most = std::max(most, values_per_byte(file.header(part.number).compression()));
+  check_file_image_size(path, width, height, result.channels.size(), most);
   check_file_image_size(path, full_width, full_height, 1);
   result.width = static_cast<int>(width);
   result.height = static_cast<int>(height);
@@ -131,6 +154,7 @@ Image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
 template <typename Read>
 auto read_file(const std::filesystem::path& path, const Read& read) {
   check_input_file(path);
+  check_exr_attributes(path);
   try {
     Imf::MultiPartInputFile file(path.c_str(), static_cast<int>(thread_count()));
     return read(path, file);

@@ -86,12 +86,22 @@ const std::array<float, 256>& srgb_values() {
 }
 
 void check_file_image_size(const std::filesystem::path& path, long long width, long long height,
-                           std::size_t channels) {
+                           std::size_t channels, double values_per_byte) {
+  const auto check_bytes = [&] {
+    std::error_code unknown;
+    const auto bytes = static_cast<double>(std::filesystem::file_size(path, unknown));
+    const double values = static_cast<double>(width * height) * static_cast<double>(channels);
+    if (unknown || values <= bytes * values_per_byte) return;
+    throw InputError(
+        fmt::format("{}: announces {}x{} pixels of {} channels, which its {} bytes "
+                    "cannot hold",
+                    path.string(), width, height, channels, bytes));
+  };
   if (width >= 1 && height >= 1 && width <= largest_file_side && height <= largest_file_side &&
       width * height <= largest_file_area &&
       width * height <=
           largest_file_values / std::max<long long>(1, static_cast<long long>(channels)))
-    return;
+    return check_bytes();
   throw InputError(
       fmt::format("{}: announces {}x{} pixels of {} channels; sides are read up to {}, in all {} "
                   "pixels and {} values",

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 
 namespace facet {
 
@@ -78,9 +79,14 @@ inline constexpr long long largest_file_side = 1LL << 20;
 inline constexpr long long largest_file_area = 1LL << 28;
 inline constexpr long long largest_file_values = 1LL << 31;
 
-/// Throws InputError for a size that a file announces beyond these limits.
+/// Throws InputError for a size that a file announces beyond these limits, or beyond what its bytes
+/// can hold: a value of a channel for each, times values_per_byte.
 void check_file_image_size(const std::filesystem::path& path, long long width, long long height,
-                           std::size_t channels);
+                           std::size_t channels,
+                           double values_per_byte = std::numeric_limits<double>::infinity());
+
+/// Bytes that one byte of a deflated stream stands for at most (https://zlib.net/zlib_tech.html).
+inline constexpr double largest_inflation = 1032;
 
 /// Throws InputError unless a file can be written at path; leaves nothing behind and changes
 /// nothing.

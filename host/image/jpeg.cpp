@@ -48,6 +48,8 @@ class JpegReader {
   [[nodiscard]] static std::size_t sample_size() { return 1; }
   [[nodiscard]] unsigned width() const { return info_.image_width; }
   [[nodiscard]] unsigned height() const { return info_.image_height; }
+  /// Arithmetic coding has no limit.
+  [[nodiscard]] static double values_per_byte() { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] const char* message() const { return message_; }
 
  private:

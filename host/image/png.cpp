@@ -79,6 +79,8 @@ class PngReader {
   }
   [[nodiscard]] png_uint_32 width() const { return png_get_image_width(png_, info_); }
   [[nodiscard]] png_uint_32 height() const { return png_get_image_height(png_, info_); }
+  /// Grey of one bit is three values a pixel.
+  [[nodiscard]] static double values_per_byte() { return 3 * 8 * largest_inflation; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
  private:

@@ -282,8 +282,8 @@ std::vector<Candidate> candidates_around(const Scene& scene, const Plan& plan, c
 
 Plan combine(const Scene& scene, const Plan& base, std::vector<Candidate> candidates) {
   // What others mean depends on the integrator.
-  std::ranges::stable_partition(candidates,
-                                [](const Candidate& c) { return c.kind == "integrator"; });
+  std::stable_partition(candidates.begin(), candidates.end(),
+                        [](const Candidate& c) { return c.kind == "integrator"; });
   Plan plan = base;
   for (const Candidate& candidate : candidates) {
     if (kinds_of(scene, plan).contains(candidate.kind)) candidate.make(plan);

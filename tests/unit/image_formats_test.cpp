@@ -7,6 +7,7 @@
 #include <ImfPartType.h>
 #include <gtest/gtest.h>
 
+#include <boost/crc.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -200,6 +201,44 @@ TEST_F(ImageFormatsTest, SizesBeyondTheLimitAreRefusedBeforeTheyAreAllocated) {
   damaged.replace(window + 8, 4, std::string("\xFF\xFF\xFF\x00", 4));
   folder_.write("huge.exr", damaged);
   expect_refusal("huge.exr", {"16777216x2"});
+}
+
+TEST_F(ImageFormatsTest, SizesBeyondTheFilesBytesAreRefusedBeforeTheyAreAllocated) {
+  // A picture of one colour is as small as pictures get.
+  write_exr(folder_.file("grey.exr"), Image(1024, 1024, {"R", "G", "B"}));
+  EXPECT_EQ(read_image(folder_.file("grey.exr")).width(), 1024);
+  write_png(folder_.file("grey.png"), Image(1024, 1024, {"R", "G", "B"}), 0);
+  EXPECT_EQ(read_image(folder_.file("grey.png")).width(), 1024);
+
+  write_exr(folder_.file("a.exr"), Image(2, 2, {"R", "G", "B"}));
+  std::string damaged = folder_.read("a.exr");
+  const std::size_t window =
+      damaged.find("dataWindow") + std::string_view("dataWindow?box2i?????").size();
+  damaged.replace(window + 8, 8, std::string("\xFF\xFF\x07\0\1\0\0\0", 8));
+  folder_.write("large.exr", damaged);
+  expect_refusal("large.exr", {"524288x2 pixels", "bytes cannot hold"});
+
+  std::string png = folder_.read("grey.png");
+  const std::size_t header = png.find("IHDR");
+  png.replace(header + 4, 8, std::string("\0\0\x3F\xFF\0\0\x3F\xFF", 8));
+  boost::crc_32_type crc;
+  crc.process_bytes(png.data() + header, 17);
+  for (unsigned i = 0; i < 4; ++i)
+    png[header + 17 + i] = static_cast<char>(crc.checksum() >> (24 - 8 * i));
+  folder_.write("large.png", png.substr(0, 5000));
+  expect_refusal("large.png", {"16383x16383 pixels", "bytes cannot hold"});
+}
+
+// OpenEXR allocates what an attribute announces before it reads any of it.
+TEST_F(ImageFormatsTest, AttributesBeyondTheFilesBytesAreRefused) {
+  Image image(2, 2, {"R"});
+  image.metadata = {{"owner", "me"}};
+  write_exr(folder_.file("a.exr"), image);
+  std::string damaged = folder_.read("a.exr");
+  const std::size_t size = damaged.find("owner") + std::string_view("owner?string?").size();
+  damaged.replace(size, 4, std::string("\0\0\0\x7F", 4));
+  folder_.write("huge.exr", damaged);
+  expect_refusal("huge.exr", {"an attribute of its header announces 2130706432 bytes"});
 }
 
 TEST_F(ImageFormatsTest, FilesOfOtherKindsAreNamed) {

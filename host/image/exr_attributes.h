@@ -1,0 +1,11 @@
+#pragma once
+// The attributes of an EXR's header, as far as they can be looked at without OpenEXR.
+#include <filesystem>
+
+namespace facet {
+
+/// Throws InputError where an attribute announces more bytes than the file has left: OpenEXR would
+/// allocate them first. What is no EXR, and whatever else is wrong with one, is left to OpenEXR.
+void check_exr_attributes(const std::filesystem::path& path);
+
+}  // namespace facet
