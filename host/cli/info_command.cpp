@@ -127,7 +127,7 @@ ExitCode print_info(const InfoOptions& options) {
       throw InputError("info: a scene file, or --supported or --plugins, is needed");
     return ExitCode::done;
   }
-  if (std::filesystem::path(options.scene).extension() == ".exr")
+  if (lower_case(std::filesystem::path(options.scene).extension().string()) == ".exr")
     return print_image_info(options.scene);
   Diagnostics diagnostics(options.strict);
   const Scene scene = read_scene(options.scene, diagnostics);

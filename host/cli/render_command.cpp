@@ -63,6 +63,7 @@ class RenderJob {
     print_failings(outcome_.statistics);
     warn_about_goals(outcome_);
     warn_about_heavy_tails(outcome_.heavy_tails);
+    if (!lost_checkpoint_.empty()) throw InputError(lost_checkpoint_);
     if (outcome_.interrupted) return ExitCode::interrupted;
     return messages.empty() && outcome_.statistics.bound_hits == 0 ? ExitCode::done
                                                                    : ExitCode::check_failed;
@@ -167,11 +168,16 @@ class RenderJob {
       if (!options_.quiet)
         say("{}: {}\n", file, continued ? "continued" : "no such file yet, so it starts anew");
     }
-    outcome_.checkpoints = facet::run_with_checkpoints(
-        rendering,
-        {file, options_.checkpoint_every,
-         [](const std::string& message) { say("warning: {}; the render goes on\n", message); }},
-        tell);
+    try {
+      outcome_.checkpoints = facet::run_with_checkpoints(
+          rendering,
+          {file, options_.checkpoint_every,
+           [](const std::string& message) { say("warning: {}; the render goes on\n", message); }},
+          tell);
+    } catch (const InputError& error) {
+      // The images are written first.
+      lost_checkpoint_ = error.what();
+    }
   }
 
   void remove_checkpoint() const {
@@ -218,6 +224,7 @@ class RenderJob {
   RenderRequest request_;
   RenderSettings settings_;
   RenderOutcome outcome_;
+  std::string lost_checkpoint_;  ///< why there is none of a render that was interrupted
 };
 
 }  // namespace

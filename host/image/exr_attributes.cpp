@@ -52,9 +52,10 @@ void check_exr_attributes(const std::filesystem::path& path) {
     if (!in) return;
     const auto here = static_cast<std::uintmax_t>(in.tellg());
     if (size > all - std::min(all, here))
-      throw InputError(
-          fmt::format("{}: damaged: an attribute of its header announces {} bytes, {} are left",
-                      path.string(), size, all - std::min(all, here)));
+      throw InputError(fmt::format(
+          "{}: not a readable EXR image: an attribute of its header announces {} bytes, "
+          "{} are left",
+          path.string(), size, all - std::min(all, here)));
     in.seekg(size, std::ios::cur);
   }
 }

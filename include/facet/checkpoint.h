@@ -11,7 +11,7 @@ struct CheckpointOptions {
   std::filesystem::path file = {};  ///< an EXR, and a part (merge_parts)
   /// Seconds between two checkpoints; longer where making one takes more than a hundredth of that.
   double every = 60;
-  /// Told where a checkpoint could not be written. The render goes on; the file is as it was.
+  /// Told where a checkpoint could not be written. The render goes on, and the file is as it was.
   std::function<void(const std::string& message)> on_failure = {};
 };
 
@@ -31,7 +31,8 @@ struct CheckpointCosts {
 };
 
 /// Runs a rendering and saves it time and again, and once more where `progress` ends it. The file
-/// of a render that is complete may be removed.
+/// of a render that is complete may be removed. Throws Error where the last one, of a render that
+/// was ended, cannot be written; the rendering's film is there all the same.
 CheckpointCosts run_with_checkpoints(Rendering& rendering, const CheckpointOptions& options,
                                      const ProgressCallback& progress = {});
 

@@ -181,6 +181,20 @@ TEST_F(CheckpointCliTest, StartsAnewWithoutAFile) {
   EXPECT_FALSE(std::filesystem::exists(checkpoint()));
 }
 
+TEST_F(CheckpointCliTest, ALastCheckpointThatCannotBeWrittenIsAnErrorAndLosesNoImage) {
+  std::filesystem::create_directory(folder_.file("gone"));
+  const pid_t child = start({"render", "scene.xml", "-o", "a.exr", "--spp", "100000000",
+                             "--checkpoint", "gone/ck.exr", "--checkpoint-every", "0.01"});
+  while (!std::filesystem::exists(folder_.file("gone/ck.exr")))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::filesystem::remove_all(folder_.file("gone"));
+  ::kill(child, SIGTERM);
+  const Result result = finish(child);
+  EXPECT_EQ(result.code, 2);
+  expect_words(result.err, {"facet: gone/ck.exr: cannot write: no such folder"});
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("a.exr")));
+}
+
 TEST_F(CheckpointCliTest, ACheckpointThatCannotBeWrittenDoesNotEndTheRender) {
   std::filesystem::create_directory(folder_.file("gone"));
   const pid_t child = start({"render", "scene.xml", "-o", "a.exr", "--spp", "6000", "--checkpoint",
