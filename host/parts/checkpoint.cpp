@@ -197,6 +197,7 @@ Image make_checkpoint(const RenderState& state) {
   if (!plan.wishes.empty()) add_planes(planes, "wishes", wishes);
   if (!plan.first_half.empty()) add_planes(planes, "half", half);
   std::vector<std::string> channels;
+  channels.reserve(planes.size());
   for (const NamedPlane& plane : planes) channels.push_back(plane.channel);
   Film film = state.film;
   film.record = state.record;

@@ -24,7 +24,7 @@ using test::input_error_of;
 
 constexpr int width = 5;
 constexpr int height = 4;
-constexpr std::size_t pixels = width * height;
+constexpr auto pixels = static_cast<std::size_t>(width) * height;
 
 /// Words of every kind: numbers, infinities, denormal numbers, NaN of both kinds.
 WordPlane make_words(std::uint32_t seed) {

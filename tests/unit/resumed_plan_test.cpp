@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 using Sums = SampleSource::Sums;
 
 constexpr int side = 24;
+constexpr auto pixels_of_film = static_cast<std::size_t>(side) * side;
 
 using Films = std::array<Film, 2>;
 
@@ -39,7 +40,7 @@ class Source : public SampleSource {
   [[nodiscard]] const Films& films() const { return films_; }
 
   bool add(const SamplingTask& task, std::uint32_t& next) override {
-    const std::size_t count = task.pixels.empty() ? side * side : task.pixels.size();
+    const std::size_t count = task.pixels.empty() ? pixels_of_film : task.pixels.size();
     while (next < count) {
       const auto end =
           static_cast<std::uint32_t>(std::min<std::size_t>(count, next + pixels_at_a_time));
@@ -206,7 +207,7 @@ TEST(ResumedPlan, states_that_cannot_be_are_refused) {
   expect_refused([](SamplingState& s) { s.more = 0; });
   expect_refused([](SamplingState& s) { s.wanted = -1; });
   expect_refused([](SamplingState& s) { s.stage = SamplingState::Stage::first_half_of_pilot; });
-  expect_refused([](SamplingState& s) { s.counts.resize(side * side); });
+  expect_refused([](SamplingState& s) { s.counts.resize(pixels_of_film); });
   expect_refused([](SamplingState& s) { s.wishes.resize(7); });
   goal.adaptive = true;
   expect_refused([](SamplingState& s) { s.stage = SamplingState::Stage::second_half_of_pilot; });
