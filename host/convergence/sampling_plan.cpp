@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "convergence/probes.h"
@@ -42,12 +41,6 @@ PixelList probes_of(const SamplingGoal& goal) {
   return choose_probes(goal.width, goal.height, seed_of_probes(goal));
 }
 
-/// All pixels have the samples of the step.
-void end_step(SamplingState& state) {
-  state.sample += std::exchange(state.length, 0);
-  state.pixel = 0;
-}
-
 Film bare_film(const SamplingGoal& goal, const std::vector<PixelSums>& pixels) {
   return {goal.width, goal.height, {0, 0, goal.width, goal.height}, true, pixels, {}, {}};
 }
@@ -69,9 +62,10 @@ SamplingOutcome SamplingPlan::run(SampleSource& source) {
     if (begun_here) state_.more = next_round(source);
     if (state_.more == 0)
       return outcome(state_.done == most_ ? StoppedBy::samples : StoppedBy::time);
-    if (!run_tasks(source)) return outcome(StoppedBy::interrupt);
+    std::vector<std::uint32_t> counts = counts_of_round();
+    if (!run_tasks(source, tasks_of_round(counts))) return outcome(StoppedBy::interrupt);
     if (begun_here) pace_->note(state_.more, source.now());
-    end_round();
+    end_round(std::move(counts));
     if (is_good_enough(source)) return outcome(StoppedBy::error);
   }
 }
@@ -96,22 +90,33 @@ std::uint32_t SamplingPlan::next_round(SampleSource& source) {
   return more;
 }
 
-std::vector<SamplingTask> SamplingPlan::tasks() const {
-  const std::uint32_t seed_of_pilot = goal_.seed ^ pilot_seed;
+SamplingTask SamplingPlan::pilot_task() const {
   const std::uint32_t half = state_.pilot / 2;
-  if (state_.stage == Stage::first_half_of_pilot)
-    return {{Sums::trial, {}, {goal_.deadline ? 1U : 0U, half}, seed_of_pilot}};
-  if (state_.stage == Stage::second_half_of_pilot)
-    return {{Sums::trial, {}, {half, state_.pilot}, seed_of_pilot}};
-  if (allocation_) return tasks_of_allocation(counts_of_round());
+  const SampleRange samples = state_.stage == Stage::first_half_of_pilot
+                                  ? SampleRange{goal_.deadline ? 1U : 0U, half}
+                                  : SampleRange{half, state_.pilot};
+  return {Sums::trial, {}, samples, goal_.seed ^ pilot_seed};
+}
+
+std::vector<SamplingTask> SamplingPlan::tasks_of_round(
+    const std::vector<std::uint32_t>& counts) const {
+  std::vector<SamplingTask> tasks;
+  if (allocation_) {
+    PixelList all(counts.size());
+    std::iota(all.begin(), all.end(), 0U);
+    add_steps(tasks, Sums::image, std::move(all), counts, goal_.seed);
+    if (!probes_.empty()) add_steps(tasks, Sums::trial, probes_, counts, seed_of_probes(goal_));
+    return tasks;
+  }
   const std::uint32_t begin = goal_.samples.begin + state_.done;
   const SampleRange samples{begin, begin + state_.more};
-  std::vector<SamplingTask> tasks{{Sums::image, {}, samples, goal_.seed}};
+  tasks.push_back({Sums::image, {}, samples, goal_.seed});
   if (!probes_.empty()) tasks.push_back({Sums::trial, probes_, samples, seed_of_probes(goal_)});
   return tasks;
 }
 
 std::vector<std::uint32_t> SamplingPlan::counts_of_round() const {
+  if (!allocation_) return {};
   const std::uint32_t mean = state_.done + state_.more;
   const std::uint32_t budget = goal_.open_ended() ? mean : mean - pilot_samples(mean);
   std::vector<std::uint32_t> counts = allocation_->counts(mean, budget);
@@ -119,16 +124,6 @@ std::vector<std::uint32_t> SamplingPlan::counts_of_round() const {
   for (std::size_t i = 0; i < state_.counts.size(); ++i)
     counts[i] = std::max(counts[i], state_.counts[i]);
   return counts;
-}
-
-std::vector<SamplingTask> SamplingPlan::tasks_of_allocation(
-    const std::vector<std::uint32_t>& counts) const {
-  std::vector<SamplingTask> tasks;
-  PixelList all(counts.size());
-  std::iota(all.begin(), all.end(), 0U);
-  add_steps(tasks, Sums::image, std::move(all), counts, goal_.seed);
-  if (!probes_.empty()) add_steps(tasks, Sums::trial, probes_, counts, seed_of_probes(goal_));
-  return tasks;
 }
 
 /// Samples of these pixels, from the numbers that they have to others: twice as many from step to
@@ -148,11 +143,10 @@ void SamplingPlan::add_steps(std::vector<SamplingTask>& tasks, Sums sums, PixelL
   }
 }
 
-/// The tasks of a round or of half of a pilot, as far as they are not done.
-bool SamplingPlan::run_tasks(SampleSource& source) {
-  const std::vector<SamplingTask> all = tasks();
-  for (; state_.task < all.size(); ++state_.task) {
-    if (!run_task(source, all[state_.task])) return false;
+/// As far as they are not done.
+bool SamplingPlan::run_tasks(SampleSource& source, const std::vector<SamplingTask>& tasks) {
+  for (; state_.task < tasks.size(); ++state_.task) {
+    if (!run_task(source, tasks[state_.task])) return false;
     state_.sample = 0;
   }
   state_.task = 0;
@@ -174,18 +168,16 @@ bool SamplingPlan::run_task(SampleSource& source, const SamplingTask& task) {
     const bool goes_on = source.add(step, state_.pixel);
     pace_->note_pixels(static_cast<double>(state_.pixel - first) * state_.length,
                        source.now() - start);
-    if (step_is_done()) end_step(state_);
+    if (step_is_done()) state_.end_step();
     if (!goes_on) return false;
   }
   return true;
 }
 
-void SamplingPlan::end_round() {
-  if (allocation_) {
-    std::vector<std::uint32_t> counts = counts_of_round();
-    if (state_.least == 0) state_.least = smallest_allocation(state_.done + state_.more);
-    state_.counts = std::move(counts);
-  }
+void SamplingPlan::end_round(std::vector<std::uint32_t> counts) {
+  if (allocation_ && state_.least == 0)
+    state_.least = smallest_allocation(state_.done + state_.more);
+  state_.counts = std::move(counts);
   state_.done += state_.more;
   state_.more = 0;
 }
@@ -220,11 +212,11 @@ bool SamplingPlan::run_pilot(SampleSource& source) {
     if (goal_.open_ended()) state_.spent = timing;
   } else {
     if (state_.stage == Stage::first_half_of_pilot) {
-      if (!run_tasks(source)) return false;
+      if (!run_tasks(source, {pilot_task()})) return false;
       state_.first_half = source.sums(Sums::trial).pixels;
       state_.stage = Stage::second_half_of_pilot;
     }
-    if (!run_tasks(source)) return false;
+    if (!run_tasks(source, {pilot_task()})) return false;
     pace_->note(state_.pilot - timing, source.now());
     allocation_.emplace(bare_film(goal_, state_.first_half), source.sums(Sums::trial));
     if (goal_.open_ended()) state_.spent = state_.pilot;
@@ -272,86 +264,6 @@ SamplingOutcome SamplingPlan::outcome(StoppedBy reason) const {
     samples = goal_.open_ended() ? std::max(state_.done, 1U) : most_;
   const std::uint32_t begin = goal_.samples.begin;
   return {reason, {begin, begin + samples}, allocation_.has_value()};
-}
-
-SamplingState SamplingPlan::state() const {
-  SamplingState state = state_;
-  if (step_is_done()) end_step(state);
-  return state;
-}
-
-SampleRange SamplingPlan::whole_samples() const {
-  std::uint32_t samples = state_.done;
-  // The first task of a round is the image's; all others follow it.
-  if (!allocation_ && state_.stage == Stage::image && state_.more > 0)
-    samples += state_.task == 0 ? whole_of_task() : state_.more;
-  return {goal_.samples.begin, goal_.samples.begin + samples};
-}
-
-bool SamplingPlan::is_uneven() const {
-  if (goal_.adaptive) return state_.more > 0 || state_.done == 0;
-  return state_.done + whole_of_task() == 0 ||
-         (state_.more > 0 && state_.task == 0 && state_.length > 0 && !step_is_done());
-}
-
-void SamplingPlan::restore(const SamplingState& state) {
-  const auto require = [](bool holds) {
-    if (!holds) throw std::invalid_argument("a state of sampling that cannot be");
-  };
-  const std::size_t pixels = goal_.pixels();
-  const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
-  require(state.stage <= Stage::image && (goal_.adaptive || state.stage == Stage::image));
-  require(state.done <= most_ && state.more <= most_ - state.done && state.pilot <= 32);
-  require(fits(state.counts.size()) && fits(state.wishes.size()) && fits(state.first_half.size()));
-  require(goal_.adaptive || (state.counts.empty() && state.wishes.empty()));
-  require(state.stage != Stage::second_half_of_pilot || !state.first_half.empty());
-  require(state.wishes.empty() == state.counts.empty() || state.done == 0);
-  require(std::isfinite(state.wanted) && state.wanted >= 0);
-  for (const std::uint32_t count : state.counts) require(count <= 1U << 30U);
-  for (const double wish : state.wishes) require(std::abs(wish) <= 2000);
-  state_ = state;
-  allocation_.reset();
-  if (!state.wishes.empty()) allocation_.emplace(state.wishes);
-  // What is left of a long round may not fit into the time that there is now.
-  const bool shorten = goal_.deadline && !allocation_ && state.stage == Stage::image &&
-                       state.task == 0 && state.sample + state.length > 0;
-  if (shorten) state_.more = state.sample + state.length;
-  const bool begins_pilot = state.stage == Stage::first_half_of_pilot && state.pilot == 0;
-  const bool is_between = state.stage == Stage::image && state_.more == 0;
-  const std::vector<SamplingTask> all =
-      begins_pilot || is_between ? std::vector<SamplingTask>() : tasks();
-  if (all.empty()) {
-    require(state.task == 0 && state.sample <= 1 && state.length <= 1 - state.sample);
-    require(!is_between || (state.sample == 0 && state.length == 0));
-    require(state.length == 0 ? state.pixel == 0 : state.pixel < pixels);
-    return;
-  }
-  require(state.task < all.size());
-  const SamplingTask& task = all[state.task];
-  const std::uint32_t length = task.samples.end - task.samples.begin;
-  require(state.sample <= length && state.length <= length - state.sample);
-  require(state.length == 0 ? state.pixel == 0
-                            : state.pixel < (task.pixels.empty() ? pixels : task.pixels.size()));
-}
-
-RenderState state_of(const SamplingPlan& plan, const SamplingGoal& goal) {
-  RenderState state;
-  state.plan = plan.state();
-  state.first = goal.samples.begin;
-  state.most = goal.samples.end - goal.samples.begin;
-  state.timed = goal.deadline.has_value();
-  state.error = goal.error;
-  state.probes = goal.probes;
-  return state;
-}
-
-void add_counts(RenderStatistics& statistics, const RenderStatistics& more) {
-  statistics.closest_rays += more.closest_rays;
-  statistics.any_rays += more.any_rays;
-  statistics.samples += more.samples;
-  statistics.bad_samples += more.bad_samples;
-  statistics.bound_hits += more.bound_hits;
-  statistics.render_seconds += more.render_seconds;
 }
 
 Film film_of(const SamplingGoal& goal, const SampleSource& source) {

@@ -102,22 +102,20 @@ class SamplingPlan {
   [[nodiscard]] bool step_is_done() const {
     return state_.length > 0 && state_.pixel == pixels_of_task_;
   }
-  /// Samples of the present task that all of its pixels have.
-  [[nodiscard]] std::uint32_t whole_of_task() const {
-    return state_.sample + (step_is_done() ? state_.length : 0);
-  }
   [[nodiscard]] std::uint32_t next_round(SampleSource& source);
-  [[nodiscard]] std::vector<SamplingTask> tasks() const;
-  [[nodiscard]] std::vector<SamplingTask> tasks_of_allocation(
+  /// Half of a pilot.
+  [[nodiscard]] SamplingTask pilot_task() const;
+  /// counts: of samples that each pixel will have, where they differ.
+  [[nodiscard]] std::vector<SamplingTask> tasks_of_round(
       const std::vector<std::uint32_t>& counts) const;
   void add_steps(std::vector<SamplingTask>& tasks, SamplingTask::Sums sums, PixelList pixels,
                  const std::vector<std::uint32_t>& counts, std::uint32_t seed) const;
   [[nodiscard]] std::vector<std::uint32_t> counts_of_round() const;
-  bool run_tasks(SampleSource& source);
+  bool run_tasks(SampleSource& source, const std::vector<SamplingTask>& tasks);
   bool run_task(SampleSource& source, const SamplingTask& task);
   bool run_pilot(SampleSource& source);
   [[nodiscard]] bool begin_pilot(SampleSource& source);
-  void end_round();
+  void end_round(std::vector<std::uint32_t> counts);
   [[nodiscard]] bool is_good_enough(const SampleSource& source);
   void tell_expectations(SampleSource& source) const;
   void expect(SampleSource& source, double samples) const;

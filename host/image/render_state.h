@@ -2,6 +2,8 @@
 // What a render has come to: all that it takes to continue it with not a bit different.
 #include <facet/film.h>
 
+#include <utility>
+
 namespace facet {
 
 /// A value of 32 bits for each pixel of a film, row by row; what it means is its maker's business.
@@ -29,14 +31,26 @@ struct SamplingState {
   std::vector<double> wishes;         ///< what the pilot says (Allocation)
   std::vector<PixelSums> first_half;  ///< of a pilot
 
+  /// Samples that every pixel of the image has, unless pixels get different numbers of them.
+  [[nodiscard]] std::uint32_t whole_samples() const {
+    if (stage != Stage::image || more == 0) return done;
+    // The first task of a round is the image's; all others follow it.
+    return done + (task == 0 ? sample : more);
+  }
+
+  /// All pixels have the samples that were being added.
+  void end_step() {
+    sample += std::exchange(length, 0);
+    pixel = 0;
+  }
+
   bool operator==(const SamplingState&) const = default;
 };
 
 struct RenderState {
-  /// Its samples are those that every pixel of the film has; StoppedBy::interrupt where some pixels
-  /// have more than others.
-  RenderRecord record;
-  Film film;  ///< of the image
+  /// Of the image. The samples of its record are those that every pixel has; StoppedBy::interrupt
+  /// where some pixels have more than others.
+  Film film;
   SamplingState plan;
   /// The sums as their maker keeps them: of the image, and of samples that are no part of it.
   std::vector<WordPlane> image;

@@ -23,10 +23,11 @@ constexpr const char* state_key = "facet.state";
 
 // ------------------------------------------------------------------------------ numbers
 
-std::string text_of(std::uint32_t value) { return fmt::format("{}", value); }
-std::string text_of(std::uint64_t value) { return fmt::format("{}", value); }
+template <typename Number>
+std::string text_of(Number value) {
+  return fmt::format("{}", value);
+}
 std::string text_of(bool value) { return value ? "1" : "0"; }
-std::string text_of(double value) { return fmt::format("{}", value); }
 std::string text_of(SamplingState::Stage value) {
   return fmt::format("{}", static_cast<std::uint32_t>(value));
 }
@@ -123,25 +124,13 @@ RenderState numbers_of(const PartFile& checkpoint) {
   return state;
 }
 
-/// Those that every pixel has, on average where they differ.
-std::uint64_t whole_samples(const RenderState& state) {
-  const bool of_image = state.plan.stage == SamplingState::Stage::image && state.plan.task == 0;
-  return std::uint64_t{state.plan.done} + (of_image ? state.plan.sample : state.plan.more);
-}
-
 // ------------------------------------------------------------------------------- planes
 
 std::string plane_name(const char* group, std::size_t index) {
   return fmt::format("{}{}.{:02}", word_prefix, group, index);
 }
 
-/// A plane of a state, and its channel.
-struct NamedPlane {
-  std::string channel;
-  const WordPlane* plane;
-};
-
-void add_planes(std::vector<NamedPlane>& list, const char* group,
+void add_planes(std::vector<WordChannel>& list, const char* group,
                 const std::vector<WordPlane>& planes) {
   for (std::size_t k = 0; k < planes.size(); ++k)
     list.push_back({plane_name(group, k), &planes[k]});
@@ -165,7 +154,7 @@ std::vector<WordPlane> read_planes(const Image& image, const char* group) {
 std::string device_class(const std::string& device) { return device.substr(0, device.find(" (")); }
 
 PartFile described(const RenderState& state, const std::string& file) {
-  PartFile part{file, {}, state.record};
+  PartFile part{file, {}, state.film.record};
   part.header.width = state.film.width;
   part.header.height = state.film.height;
   part.header.window = state.film.window;
@@ -190,25 +179,13 @@ Image make_checkpoint(const RenderState& state) {
   const std::vector<WordPlane> counts(plan.counts.empty() ? 0 : 1, plan.counts);
   const std::vector<WordPlane> wishes = words_of(plan.wishes);
   const std::vector<WordPlane> half = words_of(plan.first_half);
-  std::vector<NamedPlane> planes;
-  add_planes(planes, "image", state.image);
-  add_planes(planes, "trial", state.trial);
-  add_planes(planes, "counts", counts);
-  if (!plan.wishes.empty()) add_planes(planes, "wishes", wishes);
-  if (!plan.first_half.empty()) add_planes(planes, "half", half);
-  std::vector<std::string> channels;
-  channels.reserve(planes.size());
-  for (const NamedPlane& plane : planes) channels.push_back(plane.channel);
-  Film film = state.film;
-  film.record = state.record;
-  Image image = make_part(film, false, channels);
-  for (const auto& [channel, plane] : planes) {
-    std::memcpy(image.plane(image.find_channel(channel)), plane->data(),
-                plane->size() * sizeof(std::uint32_t));
-  }
-  image.metadata.emplace_back(state_key, numbers_text(state));
-  add_checksum(image);
-  return image;
+  std::vector<WordChannel> words;
+  add_planes(words, "image", state.image);
+  add_planes(words, "trial", state.trial);
+  add_planes(words, "counts", counts);
+  if (!plan.wishes.empty()) add_planes(words, "wishes", wishes);
+  if (!plan.first_half.empty()) add_planes(words, "half", half);
+  return make_part(state.film, false, words, {{state_key, numbers_text(state)}});
 }
 
 RenderState read_checkpoint(const std::string& file) {
@@ -220,18 +197,22 @@ RenderState read_checkpoint(const std::string& file) {
         fmt::format("{}: is no checkpoint, which facet render --checkpoint FILE.exr writes", file));
   check_checksum(image, file);
   RenderState state;
-  state.record = read_record(file, header);
   state.film =
       make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
+  state.film.record = read_record(file, header);
   read_numbers(*find_metadata(image.metadata, state_key), state, file);
   state.image = read_planes(image, "image");
   state.trial = read_planes(image, "trial");
   const auto counts = read_planes(image, "counts");
-  if (!counts.empty()) state.plan.counts = counts.front();
   const auto wishes = read_planes(image, "wishes");
-  if (!wishes.empty()) state.plan.wishes = doubles_of(wishes);
   const auto half = read_planes(image, "half");
-  if (!half.empty()) state.plan.first_half = sums_of(half);
+  try {
+    if (!counts.empty()) state.plan.counts = counts.front();
+    if (!wishes.empty()) state.plan.wishes = doubles_of(wishes);
+    if (!half.empty()) state.plan.first_half = sums_of(half);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: damaged: {}", file, error.what()));
+  }
   return state;
 }
 
@@ -246,14 +227,16 @@ void check_continues(const RenderState& saved, const std::string& file, const Re
   check_number(file, "time to stop at", has(saved.timed), has(own.timed));
   check_number(file, "second estimate of some pixels", has(saved.probes), has(own.probes));
   check_number(file, "sum of squares", has(saved.film.has_squares), has(own.film.has_squares));
-  check_number(file, "kind of device", device_class(saved.record.device),
-               device_class(own.record.device));
+  check_number(file, "kind of device", device_class(saved.film.record.device),
+               device_class(own.film.record.device));
 }
 
 std::string describe_progress(const PartFile& checkpoint) {
   const RenderState state = numbers_of(checkpoint);
-  const std::string done = fmt::format("{:.1f} s of rendering and {} samples of a pixel",
-                                       state.statistics.render_seconds, whole_samples(state));
+  const std::string time = fmt::format("{:.1f} s of rendering", state.statistics.render_seconds);
+  if (checkpoint.record.adaptive) return time;
+  const std::string done =
+      fmt::format("{} and {} samples of a pixel", time, state.plan.whole_samples());
   return state.error || state.timed ? done : fmt::format("{} of {}", done, state.most);
 }
 

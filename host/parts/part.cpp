@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/error.h"
@@ -178,8 +179,8 @@ void check_means(const Film& film, const Image& image, const std::string& file) 
 
 }  // namespace
 
-Image make_part(const Film& film, bool with_variance,
-                const std::vector<std::string>& more_channels) {
+Image make_part(const Film& film, bool with_variance, const std::vector<WordChannel>& words,
+                const Metadata& metadata) {
   Film kept = film;
   const int sum_exponent = choose_exponent(film, &PixelSums::values);
   const int square_exponent = choose_exponent(film, &PixelSums::squares);
@@ -193,7 +194,7 @@ Image make_part(const Film& film, bool with_variance,
   }
   name_pair(channels, "samples", image.find_channel("samples") >= 0);
   name_pair(channels, "samples.nonzero", with_variance);
-  channels.insert(channels.end(), more_channels.begin(), more_channels.end());
+  for (const WordChannel& channel : words) channels.push_back(channel.name);
   image = with_channels(image, channels);
   write_sums(image, kept, &PixelSums::values, "sum.", sum_exponent);
   image.metadata.emplace_back(sum_exponent_key, fmt::format("{}", sum_exponent));
@@ -203,6 +204,11 @@ Image make_part(const Film& film, bool with_variance,
   }
   write_counts(image, kept, &PixelSums::samples, "samples");
   write_counts(image, kept, &PixelSums::nonzero, "samples.nonzero");
+  for (const auto& [name, plane] : words) {
+    std::memcpy(image.plane(image.find_channel(name)), plane->data(),
+                plane->size() * sizeof(std::uint32_t));
+  }
+  image.metadata.insert(image.metadata.end(), metadata.begin(), metadata.end());
   add_checksum(image);
   return image;
 }

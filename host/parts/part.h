@@ -2,7 +2,16 @@
 // Parts: images that carry the sums they were made from, so that they can be joined without loss.
 #include <facet/film.h>
 
+#include "image/record.h"
+#include "image/render_state.h"
+
 namespace facet {
+
+/// A channel of words, whose name begins with word_prefix.
+struct WordChannel {
+  std::string name;
+  const WordPlane* words;  ///< one a pixel
+};
 
 /// Develops the film like develop(), and adds its sums as channels, each as an unevaluated pair of
 /// floats: `sum.R` + `sum.R.low` and so on, `square.R` + `square.R.low` and so on where the film
@@ -13,9 +22,11 @@ namespace facet {
 /// while all values lie within 2^-100 ... 2^126, else as puts the largest just below 2^127. What is
 /// stored is then within 2^-49 of the sum, relatively, for every value above 2^-227 of the film's
 /// largest, and within 2^-276 of that largest below. Infinities and NaN stay what they are. R, G, B
-/// and the variance are developed from the sums as stored. `more_channels` are added, all zero.
+/// and the variance are developed from the sums as stored. `words` and `metadata` are added, and a
+/// checksum of all (parts/checksum.h).
 [[nodiscard]] Image make_part(const Film& film, bool with_variance,
-                              const std::vector<std::string>& more_channels = {});
+                              const std::vector<WordChannel>& words = {},
+                              const Metadata& metadata = {});
 
 /// The film of a part, its window included. Throws InputError, which begins with the name, for an
 /// image that lacks such channels or metadata, or whose numbers contradict each other: counts that

@@ -77,8 +77,7 @@ PartFile open_part(const std::string& file) {
   if (part.record.stopped_by == StoppedBy::interrupt && is_checkpoint(part.header)) {
     throw InputError(
         fmt::format("{}: is a checkpoint amid a sample, which some pixels have and others lack; "
-                    "facet info tells "
-                    "the command that continues it",
+                    "facet info tells the command that continues it",
                     file));
   }
   if (part.record.stopped_by == StoppedBy::interrupt) {

@@ -67,8 +67,8 @@ class ReferenceRendering : public RecordedRendering, private SampleSource {
 
   RenderState state() const override {
     RenderState state = state_of(plan_, settings_.goal());
-    state.record = record_so_far(plan_);
     state.film = films_.front();
+    state.film.record = record_so_far(plan_);
     state.image = words_of(films_.front().pixels);
     if (settings_.goal().has_trial()) state.trial = words_of(films_.back().pixels);
     state.statistics = statistics_;

@@ -25,7 +25,7 @@ class KernelRendering : public RecordedRendering {
   const RenderStatistics& statistics() const override { return renderer_.statistics(); }
   RenderState state() const override {
     RenderState state = renderer_.state();
-    state.record = record_so_far(renderer_.plan());
+    state.film.record = record_so_far(renderer_.plan());
     return state;
   }
   bool is_good_moment() const override { return renderer_.plan().is_good_moment(); }

@@ -13,7 +13,7 @@ void restore(const facet::RenderState& state) {
   goal.width = state.film.width;
   goal.height = state.film.height;
   goal.samples = {state.first, state.first + state.most};
-  goal.adaptive = state.record.adaptive;
+  goal.adaptive = state.film.record.adaptive;
   goal.probes = state.probes;
   goal.error = state.error;
   try {

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "image/files.h"
-#include "image/film.h"
 #include "parts/checkpoint.h"
 #include "parts/part.h"
+#include "support/states.h"
 
 namespace facet::fuzz {
 
@@ -68,20 +68,7 @@ Image make_picture(const std::vector<std::string>& channels) {
 }
 
 RenderState make_state() {
-  RenderState state;
-  state.record.version = "0.1.0";
-  state.record.scene = "scene.xml";
-  state.record.integrator = "path_mis";
-  state.record.sampler = "sobol";
-  state.record.backend = "vulkan";
-  state.record.device = "llvmpipe (1)";
-  state.record.driver = "llvmpipe";
-  state.record.filter = "box";
-  state.record.samples.add({0, 4});
-  state.film = make_film(2, 2, {0, 0, 2, 2}, true);
-  for (PixelSums& p : state.film.pixels) {
-    for (int k = 0; k < 4; ++k) p.add({0.5 * k, 1, 2});
-  }
+  RenderState state = test::make_state(2, 2, {0, 0, 2, 2}, 4);
   state.plan.done = 4;
   state.most = 16;
   state.image = std::vector<WordPlane>(16, WordPlane(4, 1));
@@ -136,10 +123,9 @@ std::vector<Seed> seeds() {
   list.push_back(
       {"image", "start.jpg", std::string("\xFF\xD8\xFF\xE0\0\x10JFIF\0\1\1\0\0\1\0\1\0\0", 20)});
   const RenderState state = make_state();
-  Film film = state.film;
-  film.record = state.record;
-  list.push_back({"part", "part.exr",
-                  written(".exr", [&](const auto& f) { write_exr(f, make_part(film, true)); })});
+  list.push_back({"part", "part.exr", written(".exr", [&](const auto& f) {
+                    write_exr(f, make_part(state.film, true));
+                  })});
   list.push_back({"part", "checkpoint.exr", written(".exr", [&](const auto& f) {
                     write_exr(f, make_checkpoint(state), ExrCompression::fast);
                   })});

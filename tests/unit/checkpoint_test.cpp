@@ -14,6 +14,7 @@
 #include "parts/checksum.h"
 #include "parts/merge.h"
 #include "support/input.h"
+#include "support/states.h"
 
 namespace facet {
 
@@ -39,22 +40,7 @@ WordPlane make_words(std::uint32_t seed) {
 }
 
 RenderState make_state() {
-  RenderState state;
-  state.record.version = "1.2.3";
-  state.record.scene = "scene.xml";
-  state.record.integrator = "path_mis";
-  state.record.sampler = "sobol";
-  state.record.backend = "vulkan";
-  state.record.device = "llvmpipe (LLVM 15)";
-  state.record.filter = "box";
-  state.record.samples.add({0, 40});
-  state.film = make_film(width, height, {3, 2, 20, 10}, true);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (int k = 0; k < 40; ++k) {
-      const double value = std::sin(static_cast<double>(i) + 0.1 * k) + 1;
-      state.film.pixels[i].add({value, 2 * value, 0});
-    }
-  }
+  RenderState state = test::make_state(width, height, {3, 2, 20, 10}, 40);
   SamplingState& plan = state.plan;
   plan.done = 32;
   plan.more = 32;
@@ -91,13 +77,13 @@ void expect_same(const RenderState& a, const RenderState& b) {
   EXPECT_EQ(a.probes, b.probes);
   EXPECT_EQ(a.statistics.closest_rays, b.statistics.closest_rays);
   EXPECT_EQ(a.statistics.render_seconds, b.statistics.render_seconds);
-  EXPECT_EQ(header_of(a.record), header_of(b.record));
+  EXPECT_EQ(header_of(a.film.record), header_of(b.film.record));
 }
 
 TEST_F(CheckpointTest, EveryBitComesBack) {
   RenderState state = make_state();
   expect_same(read_checkpoint(write(state)), state);
-  state.record.adaptive = true;
+  state.film.record.adaptive = true;
   state.plan.counts = make_words(4);
   for (std::size_t i = 0; i < pixels; ++i)
     state.plan.wishes.push_back(std::exp(static_cast<double>(i) / 3));
@@ -122,7 +108,7 @@ TEST_F(CheckpointTest, IsAPart) {
 
 TEST_F(CheckpointTest, AmidASampleItIsNotMerged) {
   RenderState state = make_state();
-  state.record.stopped_by = StoppedBy::interrupt;
+  state.film.record.stopped_by = StoppedBy::interrupt;
   const std::string file = write(state);
   expect_message(input_error_of([&] { return open_parts({file}); }), file, {"amid a sample"});
 }
@@ -152,6 +138,24 @@ TEST_F(CheckpointTest, DamageIsNoticed) {
   }
 }
 
+// Whoever writes a bad file can give it a good checksum.
+TEST_F(CheckpointTest, PlanesThatMakeNoNumbersAreRefused) {
+  RenderState state = make_state();
+  state.plan.wishes.assign(pixels, 1.0);
+  Image image = make_checkpoint(state);
+  Image fewer(width, height, [&] {
+    std::vector<std::string> channels = image.channels();
+    std::erase(channels, "state.wishes.01");
+    return channels;
+  }());
+  fewer.window = image.window;
+  fewer.metadata = image.metadata;
+  add_checksum(fewer);
+  write_exr(folder_.file("bad.exr"), fewer);
+  const std::string file = folder_.file("bad.exr").string();
+  expect_message(input_error_of([&] { return read_checkpoint(file); }), file, {"damaged"});
+}
+
 TEST_F(CheckpointTest, ContinuesOnlyTheSameRender) {
   const RenderState own = make_state();
   check_continues(own, "ck.exr", own);
@@ -161,17 +165,19 @@ TEST_F(CheckpointTest, ContinuesOnlyTheSameRender) {
     expect_message(input_error_of([&] { return check_continues(saved, "ck.exr", own), 0; }),
                    "ck.exr", words);
   };
-  expect_refused([](RenderState& s) { s.record.version = "1.2.4"; }, {"version of facet is 1.2.4"});
-  expect_refused([](RenderState& s) { s.record.seed = 9; }, {"seed is 9", "0"});
-  expect_refused([](RenderState& s) { s.record.scene = "b.xml", s.record.fingerprint = 1; },
-                 {"scene is b.xml"});
-  expect_refused([](RenderState& s) { s.record.device = "NVIDIA H200"; },
+  expect_refused([](RenderState& s) { s.film.record.version = "1.2.4"; },
+                 {"version of facet is 1.2.4"});
+  expect_refused([](RenderState& s) { s.film.record.seed = 9; }, {"seed is 9", "0"});
+  expect_refused(
+      [](RenderState& s) { s.film.record.scene = "b.xml", s.film.record.fingerprint = 1; },
+      {"scene is b.xml"});
+  expect_refused([](RenderState& s) { s.film.record.device = "NVIDIA H200"; },
                  {"kind of device is NVIDIA H200", "llvmpipe"});
   expect_refused([](RenderState& s) { s.most = 7; }, {"range of samples is 0:7", "0:1000"});
   expect_refused([](RenderState& s) { s.probes = true; }, {"second estimate"});
   expect_refused([](RenderState& s) { s.film.has_squares = false; }, {"squares"});
   RenderState other_driver = make_state();
-  other_driver.record.device = "llvmpipe (LLVM 19, 256 bits)";
+  other_driver.film.record.device = "llvmpipe (LLVM 19, 256 bits)";
   check_continues(other_driver, "ck.exr", own);
 }
 
