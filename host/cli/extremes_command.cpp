@@ -51,12 +51,16 @@ ExitCode run_extremes(const ExtremesOptions& o) {
   catch_interrupts();
   const bool tells = o.json != "-";
   if (tells) put("{}, {}\n", backend.name(), backend.driver());
+  // The whole table takes hours: its file holds at any time what has been found until then.
+  const bool keeps = tells && !o.json.empty();
   std::string group;
   const extremes::Table table = extremes::measure(
       backend, checks, o.quick,
       [](const extremes::Check& /*check*/, double /*done*/) { return !was_interrupted(); },
-      [&](const extremes::Row& row) {
+      [&](const extremes::Table& so_far) {
+        if (keeps) write_text(o.json, report::extremes_json(so_far).dump(1) + '\n');
         if (!tells) return;
+        const extremes::Row& row = so_far.rows.back();
         if (row.check.group != group) put("\n{}\n", row.check.group);
         group = row.check.group;
         put("{}", report::text_of(row));
@@ -67,7 +71,7 @@ ExitCode run_extremes(const ExtremesOptions& o) {
   if (!o.html.empty()) report::write_extremes_page(o.html, table);
   const std::vector<std::string> messages = backend.validation_messages();
   for (const std::string& message : messages) say("facet: validation: {}\n", message);
-  if (table.interrupted) return ExitCode::interrupted;
+  if (!table.complete) return ExitCode::interrupted;
   const bool fails = std::ranges::any_of(table.rows, &extremes::Row::fails);
   return fails || !messages.empty() ? ExitCode::check_failed : ExitCode::done;
 }

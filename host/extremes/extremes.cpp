@@ -16,7 +16,7 @@ std::vector<Check> all_checks() {
 }
 
 Table measure(KernelBackend& backend, const std::vector<Check>& checks, bool quick,
-              const Callback& callback, const std::function<void(const Row&)>& finished) {
+              const Callback& callback, const std::function<void(const Table&)>& finished) {
   Table table{backend.name(), backend.driver(), quick, false, {}};
   const Check* current = nullptr;
   Bench bench(backend, quick, [&](double done) { return callback(*current, done); });
@@ -28,10 +28,11 @@ Table measure(KernelBackend& backend, const std::vector<Check>& checks, bool qui
       Row row{check, check.measure(bench), 0};
       row.seconds = seconds_since(start);
       table.rows.push_back(std::move(row));
-      finished(table.rows.back());
+      table.complete = table.rows.size() == checks.size();
+      finished(table);
     }
   } catch (const Interrupted&) {
-    table.interrupted = true;
+    // The rows until then are the table.
   }
   return table;
 }

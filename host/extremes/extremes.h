@@ -23,7 +23,7 @@ struct Table {
   std::string device;
   std::string driver;
   bool quick = false;
-  bool interrupted = false;  ///< these are the rows until then
+  bool complete = false;  ///< every check asked for has its row
   std::vector<Row> rows;
 };
 
@@ -34,10 +34,10 @@ struct Table {
 /// the measurement.
 using Callback = std::function<bool(const Check& check, double done)>;
 
-/// Measures the rows on a backend's device, calling `finished` with each. quick: a sample of the
-/// inputs, edges included. Throws DeviceError.
+/// Measures the rows on a backend's device. After each row, `finished` is called with the table so
+/// far. quick: a sample of the inputs, edges included. Throws DeviceError.
 [[nodiscard]] Table measure(KernelBackend& backend, const std::vector<Check>& checks, bool quick,
                             const Callback& callback,
-                            const std::function<void(const Row&)>& finished);
+                            const std::function<void(const Table&)>& finished);
 
 }  // namespace facet::extremes

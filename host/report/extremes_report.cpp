@@ -69,8 +69,8 @@ nlohmann::ordered_json extremes_json(const extremes::Table& table) {
                     {"promise", row.check.promise},
                     {"seconds", row.seconds}});
   }
-  return {{"device", table.device}, {"driver", table.driver},         {"version", FACET_VERSION},
-          {"quick", table.quick},   {"complete", !table.interrupted}, {"rows", std::move(rows)}};
+  return {{"device", table.device}, {"driver", table.driver},     {"version", FACET_VERSION},
+          {"quick", table.quick},   {"complete", table.complete}, {"rows", std::move(rows)}};
 }
 
 void write_extremes_page(const std::string& path, const extremes::Table& table) {

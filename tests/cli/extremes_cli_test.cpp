@@ -43,6 +43,18 @@ TEST_F(ExtremesCliTest, TellsEveryRowInTextJsonAndPage) {
     EXPECT_EQ(page.find(wrong), std::string::npos) << wrong;
 }
 
+/// The whole table takes hours, and may be lost in any of them.
+TEST_F(ExtremesCliTest, KeepsTheRowsUntilItIsKilled) {
+  const pid_t child = start({"extremes", "--only", "premise", "--json", "report.json"});
+  while (!std::filesystem::exists(folder_.file("report.json")) && ::kill(child, 0) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_EQ(::kill(child, SIGKILL), 0);
+  EXPECT_EQ(finish(child).code, 1000 + SIGKILL);
+  const auto report = nlohmann::json::parse(folder_.read("report.json"));
+  EXPECT_FALSE(report["complete"].get<bool>());
+  EXPECT_FALSE(report["rows"].empty());
+}
+
 TEST_F(ExtremesCliTest, NamesWhatIsWrongWithItsOptions) {
   Result result = run({"extremes", "--only", "no such row"});
   EXPECT_EQ(result.code, 2);

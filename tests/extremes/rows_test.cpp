@@ -14,7 +14,7 @@ TEST_P(Extremes, holds) {
   const extremes::Table table = extremes::measure(
       kernel_backend(), checks, true,
       [](const extremes::Check& /*check*/, double /*done*/) { return true; },
-      [](const extremes::Row& /*row*/) {});
+      [](const extremes::Table& /*so_far*/) {});
   ASSERT_EQ(table.rows.size(), 1U);
   const extremes::Row& row = table.rows.front();
   EXPECT_FALSE(row.fails()) << row.check.name << ": " << row.finding.worst << " of "
