@@ -8,6 +8,7 @@
 #include "accel/leaf_boxes.h"
 #include "accel/wide_tree.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/parallel.h"
 
 namespace facet {
@@ -241,6 +242,8 @@ TriangleCorners triangle_at(std::uint32_t place, std::span<const shared::BvhItem
 }
 
 Bvh build_bvh(std::span<const TriangleCorners> triangles) {
+  const Activity activity(
+      fmt::format("building the acceleration structure of {} triangles", triangles.size()));
   if (triangles.size() > shared::NAME_INDEX_MASK) {
     throw InputError(fmt::format("the scene has {} triangles; at most {} are supported",
                                  triangles.size(), shared::NAME_INDEX_MASK));

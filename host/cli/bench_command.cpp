@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "cli/reading_options.h"
 #include "core/print.h"
 #include "core/text_file.h"
 #include "image/files.h"
@@ -29,6 +30,7 @@ struct BenchOptions {
   std::string device;
   std::string json;
   std::string html;
+  ReadingRules reading;
   bool growth = false;
   bool quick = false;
   bool with_everything = false;
@@ -104,7 +106,7 @@ class BenchJob {
   }
 
   Scene load(const std::string& file) {
-    Diagnostics diagnostics(false);
+    Diagnostics diagnostics(options_.reading);
     Scene scene = read_scene(file, diagnostics);
     check_no_input_is_written({options_.json, options_.html}, diagnostics.inputs());
     print_warnings(diagnostics);
@@ -178,6 +180,7 @@ void add_bench_command(CommandLine& line) {
                            "smaller frames",
                            quick_rays, quick_repeats, quick_samples, quick_meshes.front()));
   add_device_option(command, o.device);
+  add_reading_options(command, o.reading);
   add_json_option(command, o.json);
   command.text("--html", o.html, "Write a page with plots and tables to this file");
   command.action([options, command] {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cli/limits.h"
 #include "core/error.h"
 #include "core/text.h"
 
@@ -93,6 +94,10 @@ void Command::text(const std::string& name, std::optional<std::string>& value,
   finish(app_->add_option(name, value, help));
 }
 
+void Command::path(const std::string& name, std::filesystem::path& value, const std::string& help) {
+  finish(app_->add_option(name, value, help)).default_str(value.string());
+}
+
 void Command::optional_text(const std::string& name, std::optional<std::string>& value,
                             const std::string& type, const std::string& help) {
   finish(app_->add_option(name, value, help)).expected(0, 1)->type_name(type);
@@ -175,11 +180,12 @@ void Command::describe(const std::string& name, const std::string& help) {
 bool Command::is_given(const std::string& name) const { return app_->count(name) > 0; }
 
 void Command::action(std::function<ExitCode()> run) {
+  add_limit_options(*this, *limits_);
   app_->final_callback([&chosen = *chosen_, run = std::move(run)] { chosen = run; });
 }
 
 CommandLine::CommandLine(const std::string& description, const std::string& version)
-    : app_(std::make_unique<CLI::App>(description, "facet")) {
+    : app_(std::make_unique<CLI::App>(description, "facet")), limits_(std::make_unique<Limits>()) {
   app_->set_version_flag("--version", version, "Version, compiler and the Vulkan version needed");
   app_->require_subcommand(1);
 }
@@ -187,7 +193,7 @@ CommandLine::CommandLine(const std::string& description, const std::string& vers
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::add(const std::string& name, const std::string& help) {
-  return {*app_->add_subcommand(name, help), chosen_};
+  return {*app_->add_subcommand(name, help), chosen_, *limits_};
 }
 
 ExitCode CommandLine::run(int argc, char** argv, const std::vector<std::string>& planned) {
@@ -197,6 +203,7 @@ ExitCode CommandLine::run(int argc, char** argv, const std::vector<std::string>&
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app_->exit(error));
     throw InputError(usage_message(*app_, error, argc > 1 ? argv[1] : "", planned));
   }
+  set_limits(*limits_);
   return chosen_();
 }
 

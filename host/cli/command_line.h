@@ -2,6 +2,7 @@
 // Subcommands and their options. Behind it stands CLI11, which no other file includes: it takes ten
 // seconds to compile.
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,12 +19,16 @@ class Option;
 
 namespace facet::cli {
 
+struct Limits;
+
 /// One subcommand. Every option sets the variable that it is given, which must live until the
 /// command has run; a variable that has a value shows it as the default.
 class Command {
  public:
   /// chosen: set to what the command does where it is the one that was named.
-  Command(CLI::App& app, std::function<ExitCode()>& chosen) : app_(&app), chosen_(&chosen) {}
+  /// limits: those of every command.
+  Command(CLI::App& app, std::function<ExitCode()>& chosen, Limits& limits)
+      : app_(&app), chosen_(&chosen), limits_(&limits) {}
 
   // Arguments without a name, in order.
   void argument(const std::string& name, std::string& value, const std::string& help,
@@ -34,6 +39,7 @@ class Command {
   void flag(const std::string& name, bool& value, const std::string& help);
   void text(const std::string& name, std::string& value, const std::string& help);
   void text(const std::string& name, std::optional<std::string>& value, const std::string& help);
+  void path(const std::string& name, std::filesystem::path& value, const std::string& help);
   /// A text that may be left away; it is empty then. type: what stands for it in the help.
   void optional_text(const std::string& name, std::optional<std::string>& value,
                      const std::string& type, const std::string& help);
@@ -78,7 +84,8 @@ class Command {
   void describe(const std::string& name, const std::string& help);
   [[nodiscard]] bool is_given(const std::string& name) const;
 
-  /// What the command does, once all options have their values.
+  /// What the command does, once all options have their values. Adds the options of the limits,
+  /// which come last.
   void action(std::function<ExitCode()> run);
 
  private:
@@ -97,6 +104,7 @@ class Command {
 
   CLI::App* app_;
   std::function<ExitCode()>* chosen_;
+  Limits* limits_;
   std::string group_;
 };
 
@@ -116,6 +124,7 @@ class CommandLine {
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::unique_ptr<Limits> limits_;
   std::function<ExitCode()> chosen_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/outputs.h"
+#include "cli/reading_options.h"
 #include "core/print.h"
 #include "core/text.h"
 #include "door/warnings.h"
@@ -26,7 +27,7 @@ struct InfoOptions {
   std::string scene;
   std::optional<std::string> plugin;  ///< empty: all of them
   bool supported = false;
-  bool strict = false;
+  ReadingRules reading;
 };
 
 void print_supported() {
@@ -129,7 +130,7 @@ ExitCode print_info(const InfoOptions& options) {
   }
   if (lower_case(std::filesystem::path(options.scene).extension().string()) == ".exr")
     return print_image_info(options.scene);
-  Diagnostics diagnostics(options.strict);
+  Diagnostics diagnostics(options.reading);
   const Scene scene = read_scene(options.scene, diagnostics);
   const bool has_integrator = !scene.integrator.type.name.empty();
   RenderRequest request;
@@ -180,7 +181,7 @@ void add_info_command(CommandLine& line) {
   command.flag("--supported", options->supported, "List the plugins of the scene language");
   command.optional_text("--plugins", options->plugin, "[NAME]",
                         "List the plugins in a line each, or print the manual of NAME");
-  command.flag("--strict", options->strict, "Warnings are errors");
+  add_reading_options(command, options->reading);
   command.action([options] { return print_info(*options); });
 }
 

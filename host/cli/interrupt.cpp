@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <ctime>
+#include <exception>
 #include <string_view>
 
 #include "cli/exit_code.h"
@@ -46,8 +47,7 @@ void on_signal(int number) {
 void on_crash(int /*number*/) {
   constexpr std::string_view message =
       "facet: crashed, most likely in the device's driver, which happens when memory is short; "
-      "files that "
-      "were there before are as they were\n";
+      "files that were there before are as they were\n";
   AtomicFile::remove_unfinished();
   (void)!::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(static_cast<int>(ExitCode::device_failed));
@@ -75,7 +75,11 @@ void tell_of_crashes() {
   struct sigaction action {};
   action.sa_handler = on_crash;
   action.sa_flags = SA_ONSTACK;
-  for (const int number : {SIGSEGV, SIGBUS}) (void)::sigaction(number, &action, nullptr);
+  // Libraries abort where they get no memory, and std::terminate() does where an exception has no
+  // handler.
+  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
+    (void)::sigaction(number, &action, nullptr);
+  std::set_terminate([] { on_crash(SIGABRT); });
 }
 
 bool was_interrupted() { return interrupted != 0; }

@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "core/memory.h"
 #include "core/print.h"
 #include "core/text.h"
 #include "gpu/device.h"
@@ -83,6 +84,8 @@ int main(int argc, char** argv) {
     return facet::cli::run(argc, argv);
   } catch (const facet::Error& error) {
     return facet::cli::fail(error.what(), facet::cli::exit_code_of(error.kind()));
+  } catch (const facet::OutOfMemory& error) {
+    return facet::cli::fail(error.what(), facet::cli::ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
     return facet::cli::fail("out of memory", facet::cli::ExitCode::bad_input);
   } catch (const std::exception& error) {

@@ -44,7 +44,7 @@ class ParityJob {
 
  private:
   void load() {
-    Diagnostics diagnostics(options_.strict);
+    Diagnostics diagnostics(options_.reading);
     scene_ = std::make_shared<const Scene>(
         read_scene(options_.scene, diagnostics, overridden_by(options_)));
     check_no_input_is_written({options_.json}, diagnostics.inputs());

@@ -14,6 +14,7 @@
 #include "cli/render_options.h"
 #include "cli/render_report.h"
 #include "convergence/error_estimate.h"
+#include "core/memory.h"
 #include "core/print.h"
 #include "core/text_file.h"
 #include "door/warnings.h"
@@ -85,7 +86,7 @@ class RenderJob {
 
   void load() {
     const double start = seconds_since_start();
-    Diagnostics diagnostics(options_.strict);
+    Diagnostics diagnostics(options_.reading);
     scene_ = std::make_shared<const Scene>(
         read_scene(options_.scene, diagnostics, overridden_by(options_)));
     std::vector<std::string> outputs = outcome_.files;
@@ -142,6 +143,7 @@ class RenderJob {
   }
 
   void render(Backend& backend) {
+    const Activity activity("rendering " + options_.scene);
     const std::unique_ptr<Rendering> rendering = backend.start(scene_, request_);
     Progress progress(options_.quiet,
                       request_.estimate_error

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/outputs.h"
+#include "cli/reading_options.h"
 #include "core/text.h"
 #include "core/words.h"
 
@@ -69,7 +70,7 @@ void add_setting_options(Command& command, RenderOptions& o) {
   command.word("--masking", r.masking, masking_words,
                "Masking function of Beckmann's distribution");
   add_report_options(command, o.json, o.quiet);
-  command.flag("--strict", o.strict, "Warnings are errors");
+  add_reading_options(command, o.reading);
 }
 
 void add_scene_options(Command& command, RenderOptions& o) {

@@ -29,7 +29,7 @@ struct RenderOptions {
   float exposure = 0;
   std::string json;
   bool quiet = false;
-  bool strict = false;
+  ReadingRules reading;
 };
 
 /// Adds the options that name a scene and how it is rendered.

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "cli/reading_options.h"
 #include "cli/render_options.h"
 #include "core/print.h"
 #include "core/text_file.h"
@@ -32,7 +33,7 @@ struct TestOptions {
   std::string junit;
   std::string json;
   bool quiet = false;
-  bool strict = false;
+  ReadingRules reading;
 };
 
 class TestJob {
@@ -73,7 +74,7 @@ class TestJob {
   }
 
   void load(const std::string& file) {
-    Diagnostics diagnostics(options_.strict);
+    Diagnostics diagnostics(options_.reading);
     tests_.push_back(read_test(file, diagnostics));
     check_no_input_is_written({options_.junit, options_.json}, diagnostics.inputs());
     for (const TestedScene& tested : tests_.back().scenes)
@@ -153,7 +154,7 @@ void add_test_command(CommandLine& line) {
                "their difference (red: too many, blue: too few)");
   command.text("--junit", o.junit, "Write a report in JUnit's XML to this file");
   add_report_options(command, o.json, o.quiet);
-  command.flag("--strict", o.strict, "Warnings are errors");
+  add_reading_options(command, o.reading);
   command.action([options] { return TestJob(*options).run(); });
 }
 

@@ -70,7 +70,7 @@ class TradeoffJob {
  private:
   void load() {
     const RenderOptions& o = options_.render;
-    Diagnostics diagnostics(o.strict);
+    Diagnostics diagnostics(o.reading);
     scene_ = std::make_shared<const Scene>(read_scene(o.scene, diagnostics, overridden_by(o)));
     std::vector<std::filesystem::path> inputs = diagnostics.inputs();
     if (!options_.tradeoff.reference.empty()) inputs.emplace_back(options_.tradeoff.reference);

@@ -1,5 +1,6 @@
 #pragma once
-// Warnings, which --strict turns into errors, and the files that were read.
+// What reading a scene keeps account of: warnings, which --strict turns into errors, and the files
+// that are read.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,29 +9,33 @@
 
 namespace facet {
 
+/// What is let pass.
+struct ReadingRules {
+  bool strict = false;  ///< whether a warning is an error
+  /// Where not empty: the folder below which all files must lie, after links.
+  std::filesystem::path assets_below;
+};
+
 /// Gathers the warnings of reading a scene, and the files that it is made of.
 class Diagnostics {
  public:
-  /// strict: the first warning is an error.
-  explicit Diagnostics(bool strict = false) : strict_(strict) {}
+  explicit Diagnostics(bool strict = false) { rules_.strict = strict; }
+  /// Throws InputError where assets are to be below what is no folder.
+  explicit Diagnostics(ReadingRules rules);
 
-  void warn(const SourceLocation& where, const std::string& message) {
-    if (strict_) throw InputError(where, message + " (--strict)");
-    warnings_.push_back(printable(to_string(where) + ": " + message));
-  }
-
+  /// Throws InputError where warnings are errors.
+  void warn(const SourceLocation& where, const std::string& message);
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
-  /// Notes files that are read: what is written afterwards must not take their place.
-  void add_inputs(const std::vector<std::filesystem::path>& files) {
-    inputs_.insert(inputs_.end(), files.begin(), files.end());
-  }
+  /// Notes a file that is going to be read: what is written afterwards must not take its place.
+  /// where: what names it. Throws InputError where it must not be read.
+  void add_input(const SourceLocation& where, const std::filesystem::path& file);
   [[nodiscard]] const std::vector<std::filesystem::path>& inputs() const noexcept {
     return inputs_;
   }
 
  private:
-  bool strict_;
+  ReadingRules rules_;
   std::vector<std::string> warnings_;
   std::vector<std::filesystem::path> inputs_;
 };

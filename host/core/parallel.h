@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/memory.h"
+
 namespace facet {
 
 /// Number of threads that parallel work uses.
@@ -33,7 +35,13 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     }
   };
   std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < std::min(thread_count(), chunks); ++i) threads.emplace_back(work);
+  const Activity* activity = Activity::innermost();
+  for (std::size_t i = 1; i < std::min(thread_count(), chunks); ++i) {
+    threads.emplace_back([&] {
+      Activity::adopt(activity);
+      work();
+    });
+  }
   work();
   threads.clear();
   if (failure) std::rethrow_exception(failure);

@@ -11,7 +11,7 @@ void tell_warnings(const Diagnostics& diagnostics, const LoadOptions& options) {
 }
 
 ScenePtr load_scene(const std::filesystem::path& path, const LoadOptions& options) {
-  Diagnostics diagnostics(options.strict);
+  Diagnostics diagnostics({options.strict, options.assets_below});
   auto scene = std::make_shared<const Scene>(read_scene(path, diagnostics));
   tell_warnings(diagnostics, options);
   return scene;

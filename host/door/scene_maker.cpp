@@ -174,7 +174,8 @@ ScenePtr SceneMaker::scene(const LoadOptions& options) const {
   std::ostringstream text;
   parts_->document.save(text);
   const XmlDocument xml(memory_place, text.str());
-  Diagnostics diagnostics(options.strict);
+  Diagnostics diagnostics({options.strict, options.assets_below});
+  xml.add_inputs(diagnostics);
   Scene scene = SceneReader(xml, diagnostics).read(xml.root(), parts_->meshes);
   scene.file.clear();
   tell_warnings(diagnostics, options);

@@ -1,6 +1,7 @@
 #include "gpu/device.h"
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/text.h"
 #include "gpu/commands.h"
 #include "gpu/requirements.h"
@@ -77,13 +78,19 @@ std::vector<std::string> Device::validation_messages() const {
   return log.messages;
 }
 
+std::uint64_t Device::free_bytes() const {
+  const std::uint64_t of_heap = info_.memory_bytes - *reserved_;
+  // A software driver's memory is the host's.
+  return is_cpu_ ? std::min(of_heap, available_memory().value_or(of_heap)) : of_heap;
+}
+
 std::shared_ptr<void> Device::reserve(std::uint64_t bytes, const std::string& what) {
-  if (*reserved_ + bytes > info_.memory_bytes) {
-    throw InputError(fmt::format(
-        "{} needs {}B of device memory, but of the {}B of {} {}B are taken: it does not fit", what,
-        with_unit_prefix(static_cast<double>(bytes)),
-        with_unit_prefix(static_cast<double>(info_.memory_bytes)), info_.name,
-        with_unit_prefix(static_cast<double>(*reserved_))));
+  if (bytes > free_bytes()) {
+    throw InputError(
+        fmt::format("{}: {}B of device memory are needed, but of the {}B of {} {}B are free", what,
+                    with_unit_prefix(static_cast<double>(bytes)),
+                    with_unit_prefix(static_cast<double>(info_.memory_bytes)), info_.name,
+                    with_unit_prefix(static_cast<double>(free_bytes()))));
   }
   *reserved_ += bytes;
   return {nullptr, [reserved = reserved_, bytes](void*) { *reserved -= bytes; }};

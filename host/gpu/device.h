@@ -65,6 +65,8 @@ class Device {
   /// cannot fit. The booking ends with the returned object.
   [[nodiscard]] std::shared_ptr<void> reserve(std::uint64_t bytes, const std::string& what);
   [[nodiscard]] std::uint64_t reserved_bytes() const { return *reserved_; }
+  /// What may still be booked.
+  [[nodiscard]] std::uint64_t free_bytes() const;
 
   /// Records commands and waits until they have run. Throws DeviceError.
   void run(const std::function<void(Commands&)>& record);

@@ -14,6 +14,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/input_file.h"
+#include "core/memory.h"
 #include "core/parallel.h"
 #include "image/exr_attributes.h"
 #include "image/files.h"
@@ -155,10 +156,13 @@ template <typename Read>
 auto read_file(const std::filesystem::path& path, const Read& read) {
   check_input_file(path);
   check_exr_attributes(path);
+  const Activity activity("reading the image " + path.string());
   try {
     Imf::MultiPartInputFile file(path.c_str(), static_cast<int>(thread_count()));
     return read(path, file);
   } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
     throw InputError(fmt::format("{}: not a readable EXR image: {}", path.string(), e.what()));
@@ -189,6 +193,7 @@ Image read_exr(const std::filesystem::path& path) { return read_file(path, read_
 ExrHeader read_exr_header(const std::filesystem::path& path) { return read_file(path, header_of); }
 
 void write_exr(const std::filesystem::path& path, const Image& image, ExrCompression compression) {
+  const Activity activity("writing " + path.string());
   const Imath::V2i origin(image.window.x, image.window.y);
   const Imath::Box2i data(origin, origin + Imath::V2i(image.width() - 1, image.height() - 1));
   const Imath::Box2i display(Imath::V2i(0, 0),
@@ -210,6 +215,8 @@ void write_exr(const std::filesystem::path& path, const Image& image, ExrCompres
     Imf::OutputFile out(stream, header, static_cast<int>(thread_count()));
     out.setFrameBuffer(buffer);
     out.writePixels(image.height());
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     // The file knows best why.
     file.check();

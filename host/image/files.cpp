@@ -12,6 +12,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/input_file.h"
+#include "core/memory.h"
 
 namespace facet {
 
@@ -58,6 +59,7 @@ ImageFormat image_format(const std::filesystem::path& path) {
 }
 
 Image read_image(const std::filesystem::path& path) {
+  const Activity activity("reading the image " + path.string());
   switch (image_format(path)) {
     case ImageFormat::exr:
       return read_exr(path);

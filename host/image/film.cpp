@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/memory.h"
 #include "image/record.h"
 
 namespace facet {
@@ -25,6 +26,8 @@ std::array<double, 3> PixelSums::mean() const {
 }
 
 Film make_film(int width, int height, const ImageWindow& window, bool with_squares) {
+  const Activity activity(fmt::format("making the film of {}x{} pixels", width, height),
+                          sizeof(PixelSums), "pixels");
   Film film{width, height, window, with_squares, {}, {}, {}};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
@@ -64,6 +67,8 @@ void add_samples(Film& film, const Film& more) {
 }
 
 Image develop(const Film& film, bool with_variance) {
+  const Activity activity(
+      fmt::format("developing the image of {}x{} pixels", film.width, film.height));
   std::vector<std::string> channels{"R", "G", "B"};
   if (with_variance) {
     for (const char* name :

@@ -11,6 +11,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "image/coded_reader.h"
 #include "image/files.h"
 
@@ -118,6 +119,7 @@ CodedImage read_png(const std::filesystem::path& path) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {
+  const Activity activity("writing " + path.string());
   const std::vector<std::uint8_t> pixels = encode_pixels(image, exposure);
   AtomicFile file(path);
   std::FILE* out = ::fdopen(::dup(file.descriptor()), "wb");

@@ -4,6 +4,9 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/error.h"
+#include "core/text.h"
+
 namespace facet {
 
 namespace {
@@ -22,6 +25,15 @@ using RecordWords = std::array<std::uint32_t, record_words>;
 FilmBuffers::FilmBuffers(gpu::Device& device, std::uint32_t pixel_count, bool with_squares)
     : pixel_count_(pixel_count), with_squares_(with_squares) {
   constexpr std::uint64_t record = sizeof(shared::FilmRecord);
+  const std::uint64_t record_set = with_squares ? 2 * record : record;
+  if (pixel_count * record_set > device.free_bytes())
+    throw InputError(fmt::format(
+        "the film of {} pixels needs {}B of device memory, but of the {}B of {} {}B are free: "
+        "about {} pixels fit at a time (--crop renders part of an image)",
+        pixel_count, with_unit_prefix(static_cast<double>(pixel_count * record_set)),
+        with_unit_prefix(static_cast<double>(device.info().memory_bytes)), device.info().name,
+        with_unit_prefix(static_cast<double>(device.free_bytes())),
+        with_unit_prefix(static_cast<double>(device.free_bytes() / record_set))));
   const gpu::Device::Limits& limits = device.limits();
   const auto largest = static_cast<std::uint32_t>(
       std::min(limits.storage_buffer_bytes / record,

@@ -1,13 +1,16 @@
 #include "scene/reader.h"
 
+#include "core/memory.h"
 #include "scene/scene_reader.h"
 
 namespace facet {
 
 Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                  const Overridden& overridden) {
+  const Activity activity("reading the scene " + path.string());
+  diagnostics.add_input({}, path);
   const XmlDocument xml(path);
-  diagnostics.add_inputs(xml.files());
+  xml.add_inputs(diagnostics);
   const pugi::xml_node root = xml.root();
   if (std::string_view(root.name()) == "test") {
     throw InputError(xml.location(root),

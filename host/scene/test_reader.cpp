@@ -1,5 +1,6 @@
 #include "scene/test_reader.h"
 
+#include "core/memory.h"
 #include "scene/plugin/parameter_reader.h"
 #include "scene/plugins.h"
 #include "scene/scene_reader.h"
@@ -81,8 +82,10 @@ std::size_t StatisticalTest::case_count() const {
 }
 
 StatisticalTest read_test(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  const Activity activity("reading the test " + path.string());
+  diagnostics.add_input({}, path);
   const XmlDocument xml(path);
-  diagnostics.add_inputs(xml.files());
+  xml.add_inputs(diagnostics);
   const pugi::xml_node root = xml.root();
   if (std::string_view(root.name()) == "scene") {
     throw InputError(

@@ -19,6 +19,8 @@ using ScenePtr = std::shared_ptr<const Scene>;
 
 struct LoadOptions {
   bool strict = false;  ///< whether a warning is an error
+  /// Where not empty: the folder below which every file that is read must lie, after links.
+  std::filesystem::path assets_below = {};
   std::function<void(const std::string& message)> on_warning = {};
 };
 

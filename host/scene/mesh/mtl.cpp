@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/input_file.h"
+#include "core/memory.h"
 #include "core/text.h"
 
 namespace facet {
@@ -30,6 +31,7 @@ class MtlReader {
       : path_(std::move(path)), where_(where), diagnostics_(diagnostics) {}
 
   void read(std::map<std::string, MtlMaterial>& result) {
+    const Activity activity("reading the materials " + path_.string());
     std::string text = read_input_file(path_);
     if (const auto foreign = recognise_foreign_file(text, "a materials file"))
       throw InputError(fmt::format("{}: {}", path_.string(), *foreign));
@@ -85,7 +87,7 @@ std::map<std::string, MtlMaterial> read_mtl(const std::vector<std::string>& file
   std::map<std::string, MtlMaterial> materials;
   for (const std::string& file : files) {
     const std::filesystem::path path = beside(folder, file);
-    diagnostics.add_inputs({path});
+    diagnostics.add_input(where, path);
     try {
       MtlReader(path, where, diagnostics).read(materials);
     } catch (const InputError& e) {
@@ -93,7 +95,7 @@ std::map<std::string, MtlMaterial> read_mtl(const std::vector<std::string>& file
     }
   }
   for (const auto& [name, material] : materials) {
-    if (!material.diffuse_map.empty()) diagnostics.add_inputs({material.diffuse_map});
+    if (!material.diffuse_map.empty()) diagnostics.add_input(where, material.diffuse_map);
   }
   return materials;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/input_file.h"
+#include "core/memory.h"
 #include "scene/mesh/obj_lines.h"
 
 namespace facet {
@@ -204,6 +205,7 @@ class Loader {
 
 ObjFile read_obj_file(const std::filesystem::path& path, const SourceLocation& where,
                       Diagnostics& diagnostics) {
+  const Activity activity("reading the mesh " + path.string());
   const auto refuse = [&](const std::string& message) {
     throw InputError(where, fmt::format("cannot read the mesh {}", message));
   };

@@ -77,11 +77,10 @@ void XmlDocument::refuse_stray_content(const pugi::xml_node& parent) const {
   }
 }
 
-std::vector<std::filesystem::path> XmlDocument::files() const {
-  std::vector<std::filesystem::path> files{path_};
+void XmlDocument::add_inputs(Diagnostics& diagnostics) const {
   for (const pugi::xpath_node& name : document_.select_nodes("//string[@name='filename']"))
-    files.push_back(path_.parent_path() / name.node().attribute("value").value());
-  return files;
+    diagnostics.add_input(location(name.node()),
+                          path_.parent_path() / name.node().attribute("value").value());
 }
 
 int XmlDocument::line_at(std::ptrdiff_t offset) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostics.h"
 #include "core/error.h"
 
 namespace facet {
@@ -24,8 +25,8 @@ class XmlDocument {
   /// Throws InputError at the first text among the children of an element: the language has none.
   void refuse_stray_content(const pugi::xml_node& parent) const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The document's own path and those of the files that it names.
-  [[nodiscard]] std::vector<std::filesystem::path> files() const;
+  /// Notes the files that it names. Throws InputError where one must not be read.
+  void add_inputs(Diagnostics& diagnostics) const;
 
  private:
   /// Throws InputError for what pugixml lets pass: an attribute that is given twice, an unknown
