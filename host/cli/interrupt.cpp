@@ -44,13 +44,22 @@ void on_signal(int number) {
 }
 
 /// Nothing here may allocate or lock: what crashed may have been an allocation.
-void on_crash(int /*number*/) {
-  constexpr std::string_view message =
-      "facet: crashed, most likely in the device's driver, which happens when memory is short; "
-      "files that were there before are as they were\n";
+[[noreturn]] void give_up(std::string_view message) {
   AtomicFile::remove_unfinished();
   (void)!::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(static_cast<int>(ExitCode::device_failed));
+}
+
+void on_crash(int /*number*/) {
+  give_up(
+      "facet: crashed, most likely in the device's driver, which happens when memory is short; "
+      "files that were there before are as they were\n");
+}
+
+void on_unhandled_error() {
+  give_up(
+      "facet: ended by an error that nothing could handle, most likely for want of memory; files "
+      "that were there before are as they were\n");
 }
 
 void catch_signal(int number) {
@@ -75,11 +84,10 @@ void tell_of_crashes() {
   struct sigaction action {};
   action.sa_handler = on_crash;
   action.sa_flags = SA_ONSTACK;
-  // Libraries abort where they get no memory, and std::terminate() does where an exception has no
-  // handler.
+  // Libraries abort where they get no memory.
   for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
     (void)::sigaction(number, &action, nullptr);
-  std::set_terminate([] { on_crash(SIGABRT); });
+  std::set_terminate(on_unhandled_error);
 }
 
 bool was_interrupted() { return interrupted != 0; }

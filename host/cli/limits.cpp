@@ -5,9 +5,7 @@
 
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <thread>
 
 #include "cli/commands.h"
@@ -85,30 +83,3 @@ void set_limits(const Limits& limits) {
 }
 
 }  // namespace facet::cli
-
-#ifndef __SANITIZE_ADDRESS__
-
-// Allocations of the whole program, its libraries' included, say what for and how much where they
-// are refused. Systems promise more memory than they have and kill whoever then uses it, so large
-// ones are refused here already where they exceed what is left.
-
-namespace {
-
-void* allocate(std::size_t bytes) {
-  constexpr std::size_t large = std::size_t{64} << 20U;
-  if (bytes < large || bytes <= facet::available_memory().value_or(bytes)) {
-    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;  // NOLINT
-  }
-  throw facet::OutOfMemory(bytes);
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return allocate(bytes); }
-void* operator new[](std::size_t bytes) { return allocate(bytes); }
-void operator delete(void* memory) noexcept { std::free(memory); }                 // NOLINT
-void operator delete[](void* memory) noexcept { std::free(memory); }               // NOLINT
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }    // NOLINT
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }  // NOLINT
-
-#endif

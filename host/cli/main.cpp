@@ -8,6 +8,7 @@
 #include <exception>
 #include <system_error>
 
+#include "cli/allocation.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "core/memory.h"
@@ -43,6 +44,7 @@ int with_output_written(int exit_code) {
 }
 
 int run(int argc, char** argv) {
+  const Activity activity("starting");
   CommandLine line("facet: a path tracer in Vulkan compute shaders that proves its images right",
                    version_text());
   add_render_command(line);
@@ -76,6 +78,7 @@ double seconds_since_start() {
 }  // namespace facet::cli
 
 int main(int argc, char** argv) {
+  facet::cli::expect_refused_allocations();
   facet::cli::open_standard_streams();
   // A reader that has gone is an error of the write, not the program's end.
   (void)std::signal(SIGPIPE, SIG_IGN);

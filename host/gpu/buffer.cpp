@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "gpu/commands.h"
 #include "gpu/vulkan.h"
 
@@ -60,7 +61,10 @@ void Buffer::allocate(bool staging) {
   using Property = vk::MemoryPropertyFlagBits;
   constexpr auto shared = Property::eHostVisible | Property::eHostCoherent;
   const Device::Vulkan& vulkan = device_->vulkan();
-  try {
+  const std::string what = fmt::format(
+      "allocate {}B for {} ({}B are not booked)", with_unit_prefix(static_cast<double>(size_)),
+      name_, with_unit_prefix(static_cast<double>(device_->free_bytes())));
+  or_device_error(device_->info().name, what, [&] {
     memory_->buffer = {vulkan.device, vk::BufferCreateInfo({}, size_, usage_of(staging))};
     const vk::MemoryRequirements needs = memory_->buffer.getMemoryRequirements();
     const std::uint32_t type =
@@ -72,10 +76,7 @@ void Buffer::allocate(bool staging) {
     memory_->buffer.bindMemory(*memory_->memory, 0);
     if ((vulkan.memory.memoryTypes[type].propertyFlags & shared) == shared)
       mapped_ = static_cast<std::byte*>(memory_->memory.mapMemory(0, VK_WHOLE_SIZE));
-  } catch (const vk::SystemError& e) {
-    throw DeviceError(fmt::format("{}: cannot allocate {} bytes for {}: {}", device_->info().name,
-                                  size_, name_, e.what()));
-  }
+  });
 }
 
 VkBuffer_T* Buffer::handle() const { return static_cast<VkBuffer>(*memory_->buffer); }

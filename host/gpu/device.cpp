@@ -64,7 +64,8 @@ std::uint32_t Device::Vulkan::memory_type(std::uint32_t allowed, vk::MemoryPrope
 Device::Device(const std::string& selector, bool validate) {
   Instance instance(validate);
   info_ = choose_device(instance.devices(), selector);
-  vulkan_ = std::make_unique<Vulkan>(std::move(instance), info_);
+  vulkan_ = or_device_error(info_.name, "be opened",
+                            [&] { return std::make_unique<Vulkan>(std::move(instance), info_); });
   const vk::PhysicalDeviceProperties properties = vulkan_->physical.getProperties();
   limits_ = limits_of(properties.limits);
   is_cpu_ = properties.deviceType == vk::PhysicalDeviceType::eCpu;

@@ -105,12 +105,13 @@ Instance::Instance(bool validate)
 }
 
 std::vector<DeviceInfo> Instance::devices() const {
-  std::vector<DeviceInfo> list;
-  const vk::raii::PhysicalDevices physical(instance_);
-  for (const vk::raii::PhysicalDevice& device : physical) {
-    list.push_back(describe_device(device, static_cast<std::uint32_t>(list.size())));
-  }
-  return list;
+  return or_device_error("a Vulkan driver", "list its devices", [&] {
+    std::vector<DeviceInfo> list;
+    const vk::raii::PhysicalDevices physical(instance_);
+    for (const vk::raii::PhysicalDevice& device : physical)
+      list.push_back(describe_device(device, static_cast<std::uint32_t>(list.size())));
+    return list;
+  });
 }
 
 vk::raii::PhysicalDevice Instance::physical_device(const DeviceInfo& info) const {

@@ -81,9 +81,11 @@ Program::Program(const Device& device, const std::vector<Slot>& slots,
                  std::uint32_t push_constant_bytes)
     : device_(device), slots_(slots) {
   const vk::raii::Device& handle = device.vulkan().device;
-  auto set = make_set_layout(handle, slots);
-  auto pipeline = make_pipeline_layout(handle, set, push_constant_bytes);
-  layout_ = std::make_unique<Layout>(Layout{std::move(set), std::move(pipeline)});
+  layout_ = or_device_error(device.info().name, "lay bindings out", [&] {
+    auto set = make_set_layout(handle, slots);
+    auto pipeline = make_pipeline_layout(handle, set, push_constant_bytes);
+    return std::make_unique<Layout>(Layout{std::move(set), std::move(pipeline)});
+  });
 }
 
 Program::~Program() = default;
@@ -93,7 +95,7 @@ CompiledKernel Program::compile(std::span<const std::uint32_t> code,
                                 const std::string& name) const {
   const std::vector<std::uint32_t> special = specialise(code, constants, name);
   const vk::raii::Device& device = device_.vulkan().device;
-  try {
+  return or_device_error(device_.info().name, "compile the kernel " + name, [&] {
     const vk::raii::ShaderModule module(
         device, vk::ShaderModuleCreateInfo({}, special.size() * 4, special.data()));
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
@@ -102,10 +104,7 @@ CompiledKernel Program::compile(std::span<const std::uint32_t> code,
                                 vk::ComputePipelineCreateInfo({}, stage, *layout_->pipeline));
     return CompiledKernel(std::make_unique<CompiledKernel::Handles>(CompiledKernel::Handles{
         std::move(pipeline), *layout_->pipeline, gpu::instruction_count(special)}));
-  } catch (const vk::SystemError& e) {
-    throw DeviceError(
-        fmt::format("{} cannot compile the kernel {}: {}", device_.info().name, name, e.what()));
-  }
+  });
 }
 
 void Program::check(const Buffer& buffer, Access access) const {
@@ -120,6 +119,10 @@ void Program::check(const Buffer& buffer, Access access) const {
 }
 
 BoundBuffers Program::bind(const BufferMap& buffers) const {
+  return or_device_error(device_.info().name, "bind buffers", [&] { return bound(buffers); });
+}
+
+BoundBuffers Program::bound(const BufferMap& buffers) const {
   const vk::raii::Device& device = device_.vulkan().device;
   auto pool = make_pool(device, slots_);
   auto set = make_set(device, pool, *layout_->set);

@@ -70,6 +70,7 @@ class Program {
   [[nodiscard]] BoundBuffers bind(const BufferMap& buffers) const;
 
  private:
+  [[nodiscard]] BoundBuffers bound(const BufferMap& buffers) const;
   struct Layout;
   void check(const Buffer& buffer, Access access) const;
 

@@ -15,8 +15,10 @@ Stopwatch::Stopwatch(const Device& device, std::uint32_t most_marks) {
   const auto nanoseconds =
       static_cast<double>(vulkan.physical.getProperties().limits.timestampPeriod);
   seconds_per_tick_ = nanoseconds * 1e-9;
-  queries_ = std::make_unique<Queries>(Queries{
-      {vulkan.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)}});
+  queries_ = or_device_error(device.info().name, "measure times", [&] {
+    return std::make_unique<Queries>(Queries{
+        {vulkan.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, most_marks + 1)}});
+  });
 }
 
 Stopwatch::~Stopwatch() = default;
@@ -42,9 +44,11 @@ void Stopwatch::mark(const Commands& commands, std::size_t stage) {
 void Stopwatch::collect(std::span<double> seconds) {
   if (!queries_ || stages_.empty()) return;
   const std::size_t count = stages_.size() + 1;
-  const auto [result, ticks] = queries_->pool.getResults<std::uint64_t>(
-      0, static_cast<std::uint32_t>(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
-      vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  const auto [result, ticks] = or_device_error("the device", "tell times", [&] {
+    return queries_->pool.getResults<std::uint64_t>(
+        0, static_cast<std::uint32_t>(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
+        vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  });
   if (result != vk::Result::eSuccess) return;
   for (std::size_t i = 0; i < stages_.size(); ++i)
     seconds[stages_[i]] += static_cast<double>(ticks[i + 1] - ticks[i]) * seconds_per_tick_;

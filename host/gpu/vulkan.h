@@ -1,11 +1,24 @@
 #pragma once
 // Vulkan behind the classes of this room; for its own source files alone.
 #include <mutex>
+#include <string_view>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "core/error.h"
 #include "gpu/device.h"
 
 namespace facet::gpu {
+
+/// What a call returns that calls Vulkan. Throws DeviceError where Vulkan refuses: "DEVICE cannot
+/// DO: ...".
+template <typename Call>
+auto or_device_error(const std::string& device, std::string_view what, const Call& call) {
+  try {
+    return call();
+  } catch (const vk::SystemError& error) {
+    throw DeviceError(fmt::format("{} cannot {}: {}", device, what, error.what()));
+  }
+}
 
 /// What the validation layers said, in any thread that called Vulkan.
 struct ValidationLog {
