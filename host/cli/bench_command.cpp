@@ -138,7 +138,7 @@ class BenchJob {
 
   void tell(const std::string& text) const {
     if (options_.json == "-") return;
-    put("{}", text);
+    put_text(text);
     std::fflush(stdout);
   }
 

@@ -63,10 +63,10 @@ ExitCode run_extremes(const ExtremesOptions& o) {
         const extremes::Row& row = so_far.rows.back();
         if (row.check.group != group) put("\n{}\n", row.check.group);
         group = row.check.group;
-        put("{}", report::text_of(row));
+        put_text(report::text_of(row));
         std::fflush(stdout);
       });
-  if (tells) put("\n{}", report::summary_of(table));
+  if (tells) put_text('\n' + report::summary_of(table));
   if (!o.json.empty()) write_text(o.json, report::extremes_json(table).dump(1) + '\n');
   if (!o.html.empty()) report::write_extremes_page(o.html, table);
   const std::vector<std::string> messages = backend.validation_messages();

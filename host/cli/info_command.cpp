@@ -49,7 +49,8 @@ void print_plugins(const std::string& name) {
   for (const Manual& m : manuals()) {
     for (const std::string_view other : split_list(m.names)) known.emplace_back(other);
     if (!m.is_about(name)) continue;
-    put("{} \"{}\": {}", m.kind, name, full_text(m));
+    put("{} \"{}\": ", m.kind, name);
+    put_text(full_text(m));
     return;
   }
   throw InputError(

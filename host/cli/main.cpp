@@ -78,17 +78,17 @@ double seconds_since_start() {
 }  // namespace facet::cli
 
 int main(int argc, char** argv) {
-  facet::cli::expect_refused_allocations();
+  facet::cli::tell_of_refused_allocations();
   facet::cli::open_standard_streams();
   // A reader that has gone is an error of the write, not the program's end.
   (void)std::signal(SIGPIPE, SIG_IGN);
+  // So is a file that has become as large as the user's limit lets it.
+  (void)std::signal(SIGXFSZ, SIG_IGN);
   facet::cli::tell_of_crashes();
   try {
     return facet::cli::run(argc, argv);
   } catch (const facet::Error& error) {
     return facet::cli::fail(error.what(), facet::cli::exit_code_of(error.kind()));
-  } catch (const facet::OutOfMemory& error) {
-    return facet::cli::fail(error.what(), facet::cli::ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
     return facet::cli::fail("out of memory", facet::cli::ExitCode::bad_input);
   } catch (const std::exception& error) {

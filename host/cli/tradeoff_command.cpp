@@ -90,7 +90,7 @@ class TradeoffJob {
     if (!options_.html.empty()) report::write_tradeoff_page(options_.html, report);
     if (o.json != "-") {
       const std::string command = report::advised_command(report);
-      put("{}", o.quiet && !command.empty() ? command + '\n' : report::text_of(report));
+      put_text(o.quiet && !command.empty() ? command + '\n' : report::text_of(report));
     }
     if (t.bound_hits > 0)
       say("warning: {} rays were stopped by the safety bound of traversal\n", t.bound_hits);

@@ -123,6 +123,17 @@ std::string read_input_file(const std::filesystem::path& path) {
   return text;
 }
 
+std::string read_start(const std::filesystem::path& path) {
+  check_input_file(path);
+  std::string start(1000, '\0');
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  return start;
+}
+
 std::optional<std::string> recognise_foreign_file(std::string_view start, std::string_view wanted) {
   start = start.substr(0, 1000);
   const std::size_t first = start.find_first_not_of(" \t\r\n");

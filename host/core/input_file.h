@@ -16,6 +16,10 @@ void check_input_file(const std::filesystem::path& path);
 /// All bytes of a file. Throws InputError like check_input_file, or where it cannot be read.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& path);
 
+/// The first bytes of a file, at most 1000. Throws InputError like check_input_file, or where it
+/// cannot be read.
+[[nodiscard]] std::string read_start(const std::filesystem::path& path);
+
 /// What a file is that is not of the wanted kind, and what to do about it, where its first bytes
 /// tell: `it is a Git LFS pointer in place of the file; "git lfs pull" fetches it`. Nothing for
 /// bytes that tell nothing. wanted: `a PNG image`.

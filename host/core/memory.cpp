@@ -52,22 +52,6 @@ std::optional<std::uint64_t> limit_of(Resource resource) {
   return limit.rlim_cur;
 }
 
-std::string message_of(std::uint64_t bytes) {
-  const auto size = [](std::uint64_t b) { return with_unit_prefix(static_cast<double>(b)) + "B"; };
-  const Activity* activity = Activity::innermost();
-  std::string message = "out of memory";
-  if (activity != nullptr) message += " while " + activity->what();
-  message += fmt::format(": {} more would be needed", size(bytes));
-  const auto left = available_memory();
-  if (!left) return message;
-  message += fmt::format(", {} are left", size(*left));
-  if (activity != nullptr && activity->bytes_each() > 0)
-    message += fmt::format("; about {} {} fit",
-                           with_unit_prefix(static_cast<double>(*left / activity->bytes_each())),
-                           activity->unit());
-  return message;
-}
-
 }  // namespace
 
 Activity::Activity(std::string what, std::uint64_t bytes_each, std::string unit)
@@ -92,7 +76,21 @@ std::function<std::string()> Activity::watch() {
   };
 }
 
-OutOfMemory::OutOfMemory(std::uint64_t bytes) : message_(message_of(bytes)) {}
+std::string describe_lack(std::uint64_t bytes) {
+  const auto size = [](std::uint64_t b) { return with_unit_prefix(static_cast<double>(b)) + "B"; };
+  const Activity* activity = Activity::innermost();
+  std::string message = "out of memory";
+  if (activity != nullptr) message += " while " + activity->what();
+  message += fmt::format(": {} more would be needed", size(bytes));
+  const auto left = available_memory();
+  if (!left) return message;
+  message += fmt::format(", {} are left", size(*left));
+  if (activity != nullptr && activity->bytes_each() > 0)
+    message += fmt::format("; about {} {} fit",
+                           with_unit_prefix(static_cast<double>(*left / activity->bytes_each())),
+                           activity->unit());
+  return message;
+}
 
 std::optional<std::uint64_t> available_memory() {
   auto left = read_figure("/proc/meminfo", "MemAvailable:", 1024);

@@ -2,7 +2,6 @@
 // Memory of the host: how much is left, and what it is wanted for where it runs out.
 #include <cstdint>
 #include <functional>
-#include <new>
 #include <optional>
 #include <string>
 
@@ -40,16 +39,9 @@ class Activity {
   const Activity* outer_;
 };
 
-/// An allocation that was refused; what() says what for, how much, and how much is left.
-class OutOfMemory : public std::bad_alloc {
- public:
-  /// Of the thread's present activity.
-  explicit OutOfMemory(std::uint64_t bytes);
-  [[nodiscard]] const char* what() const noexcept override { return message_.c_str(); }
-
- private:
-  std::string message_;
-};
+/// "out of memory while reading the mesh bunny.obj: 1.2 GB more would be needed, 300 MB are left":
+/// of an allocation that this thread has been refused.
+[[nodiscard]] std::string describe_lack(std::uint64_t bytes);
 
 /// Bytes that this process can still take: what the machine, its container and the process's own
 /// limits leave. Nothing where the system does not say.

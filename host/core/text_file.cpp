@@ -1,13 +1,14 @@
 #include "core/text_file.h"
 
+#include <cstdio>
+
 #include "core/atomic_file.h"
-#include "core/print.h"
 
 namespace facet {
 
 void write_text(const std::string& target, const std::string& text) {
   if (target == "-") {
-    put("{}", text);
+    (void)std::fwrite(text.data(), 1, text.size(), stdout);
     return;
   }
   AtomicFile file(target);

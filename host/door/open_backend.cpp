@@ -1,5 +1,6 @@
 #include "door/open_backend.h"
 
+#include "core/memory.h"
 #include "reference/reference_backend.h"
 #include "render/kernel_backend.h"
 
@@ -12,6 +13,7 @@ Film Backend::render(const ScenePtr& scene, const RenderRequest& request) {
 }
 
 std::unique_ptr<TestableBackend> open_testable_backend(const BackendOptions& options) {
+  const Activity activity("opening the device");
   if (options.reference) return reference::make_backend(*options.reference);
   return std::make_unique<KernelBackend>(options.device, options.validate);
 }

@@ -154,7 +154,10 @@ Image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
 /// Opens the file and has it read; whatever goes wrong becomes an InputError that names it.
 template <typename Read>
 auto read_file(const std::filesystem::path& path, const Read& read) {
-  check_input_file(path);
+  const std::string start = read_start(path);
+  if (!start.starts_with(exr_magic))
+    throw InputError(
+        fmt::format("{}: {}", path.string(), describe_foreign_file(start, "an OpenEXR image")));
   check_exr_attributes(path);
   const Activity activity("reading the image " + path.string());
   try {

@@ -12,7 +12,6 @@ namespace facet {
 namespace {
 
 // Of the file's layout (https://openexr.com/en/latest/OpenEXRFileLayout.html).
-constexpr std::size_t bytes_of_magic_number = 4;
 constexpr std::uint32_t multi_part_flag = 0x1000;  ///< of the version
 constexpr std::size_t longest_name = 255;
 
@@ -39,7 +38,7 @@ void check_exr_attributes(const std::filesystem::path& path) {
   std::error_code unknown;
   const std::uintmax_t all = std::filesystem::file_size(path, unknown);
   if (!in || unknown) return;
-  in.seekg(bytes_of_magic_number);
+  in.seekg(exr_magic.size());
   const bool has_parts = (read_number(in) & multi_part_flag) != 0;
   // An empty name ends a header. Those of several parts follow each other, and one more ends them.
   for (bool after_end = false; in;) {

@@ -1,8 +1,12 @@
 #pragma once
 // The attributes of an EXR's header, as far as they can be looked at without OpenEXR.
 #include <filesystem>
+#include <string_view>
 
 namespace facet {
+
+/// With which an EXR begins.
+inline constexpr std::string_view exr_magic = "\x76\x2F\x31\x01";
 
 /// Throws InputError where an attribute announces more bytes than the file has left: OpenEXR would
 /// allocate them first. What is no EXR, and whatever else is wrong with one, is left to OpenEXR.

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/input_file.h"
 #include "core/memory.h"
+#include "image/exr_attributes.h"
 
 namespace facet {
 
@@ -44,14 +45,8 @@ ImageFormat output_format(const std::filesystem::path& path) {
 }
 
 ImageFormat image_format(const std::filesystem::path& path) {
-  check_input_file(path);
-  std::string start(1000, '\0');
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(in.gcount()));
-  if (start.starts_with("\x76\x2F\x31\x01")) return ImageFormat::exr;
+  const std::string start = read_start(path);
+  if (start.starts_with(exr_magic)) return ImageFormat::exr;
   if (start.starts_with("\x89PNG\r\n\x1A\n")) return ImageFormat::png;
   if (start.starts_with("\xFF\xD8\xFF")) return ImageFormat::jpeg;
   if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return ImageFormat::hdr;

@@ -209,9 +209,22 @@ std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  // Control characters would command the terminal that shows them.
+  const bool by_printf = std::ranges::any_of(word, is_control);
   std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else if (is_control(c)) {
+      result += fmt::format("\\{:03o}", static_cast<unsigned>(c));
+    } else {
+      if (by_printf && (c == '%' || c == '\\')) result += c;
+      result += c;
+    }
+  }
+  result += '\'';
+  return by_printf ? "\"$(printf " + result + ")\"" : result;
 }
 
 std::string rerun_command(const RenderRecord& record, const ImageSize& size, int x, int y) {

@@ -91,7 +91,7 @@ double bytes_a_triangle(std::uint64_t bytes, const bench::TraversalResult& r) {
 
 std::string text_of(const bench::TraversalResult& r) {
   std::string text = fmt::format(
-      "{}: {} triangles; BVH in {} s, {:.1f} bytes a triangle, SAH cost {:.2f}", r.mesh,
+      "{}: {} triangles; BVH in {} s, {:.1f} bytes a triangle, SAH cost {:.2f}", printable(r.mesh),
       r.triangles, seconds_text(r.build.seconds), bytes_a_triangle(r.build.bytes, r), r.build.sah);
   if (r.build.yardstick_seconds) {
     text += fmt::format("; {}: {} s, {:.1f} bytes", bench::yardstick_name(),
@@ -116,8 +116,9 @@ std::string text_of(const bench::RenderRow& r) {
       "{}: {} at {} samples a pixel: {} M samples/s, {:.2f} M rays/s; {:.2f} s to "
       "start, {:.2f} s "
       "of them compiling {} instructions; {}B on the device\n ",
-      r.scene, r.integrator, r.samples_per_pixel, figure_text(r.samples_per_second, 1e-6),
-      r.rays_per_second * 1e-6, r.startup_seconds, r.compile_seconds, r.kernel_instructions,
+      printable(r.scene), r.integrator, r.samples_per_pixel,
+      figure_text(r.samples_per_second, 1e-6), r.rays_per_second * 1e-6, r.startup_seconds,
+      r.compile_seconds, r.kernel_instructions,
       with_unit_prefix(static_cast<double>(r.device_bytes)));
   for (std::size_t i = 0; i < r.stage_shares.size(); ++i)
     text += fmt::format(" {} {:.0f} %", stage_names[i], 100 * r.stage_shares[i]);

@@ -147,8 +147,9 @@ std::string advised_command(const TradeoffReport& report) {
 
 std::string text_of(const TradeoffReport& report) {
   const Tradeoff& t = report.tradeoff;
-  std::string text = fmt::format("{} at {}x{} on {}, {} renders of each point\n", t.scene,
-                                 t.size.width, t.size.height, t.device, t.seeds);
+  std::string text =
+      fmt::format("{} at {}x{} on {}, {} renders of each point\n", printable(t.scene), t.size.width,
+                  t.size.height, t.device, t.seeds);
   if (t.size.width != t.own_size.width || t.size.height != t.own_size.height)
     text += fmt::format(
         "smaller than the scene's {}x{}, to fit the budget: edges weigh more; see --budget and "

@@ -67,6 +67,28 @@ TEST_F(FaultsCliTest, AReaderThatHasGoneLosesNoImage) {
   expect_image("a.exr");
 }
 
+/// As by the quota of a batch system, wherever in the file it is reached.
+TEST_F(FaultsCliTest, FilesThatGrowTooLargeAreErrors) {
+  ASSERT_EQ(run({"render", "scene.xml", "-o", "a.exr", "-o", "a.png", "--resolution", "64x64",
+                 "--seed", "1"})
+                .code,
+            0);
+  for (const std::string name : {"a.exr", "a.png"}) {
+    const std::string before = folder_.read(name);
+    const std::size_t blocks = before.size() / 512;
+    ASSERT_GT(blocks, 1U);
+    for (std::size_t b = 1; b <= blocks; b += std::max<std::size_t>(1, blocks / 5)) {
+      const Result result =
+          finish(start_command({"sh", "-c",
+                                "ulimit -f " + std::to_string(b) + "; exec \"" + FACET_PROGRAM +
+                                    "\" render scene.xml --quiet --resolution 64x64 -o " + name}));
+      EXPECT_EQ(result.code, 2) << b;
+      EXPECT_EQ(result.err, "facet: " + name + ": cannot write: File too large\n");
+      EXPECT_EQ(folder_.read(name), before);
+    }
+  }
+}
+
 TEST_F(FaultsCliTest, AnOutputThatFailsDoesNotLoseTheOthers) {
   std::filesystem::create_symlink("/dev/full", folder_.file("full.exr"));
   const Result result =

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <set>
 
 namespace facet::test {
@@ -139,6 +142,18 @@ TEST(ShellWord, is_quoted_where_it_must_be) {
   EXPECT_EQ(shell_word("a/b-c_1.xml"), "a/b-c_1.xml");
   EXPECT_EQ(shell_word(""), "''");
   EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+  // A shell reads them back.
+  for (const std::string word : {"it's\x1b[31m %d \\033 \n\"$HOME`", "\x7f", "50 %\t\\"}) {
+    const std::string text = shell_word(word);
+    EXPECT_TRUE(std::ranges::none_of(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }));
+    const std::string command = "printf %s " + text;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> shell(::popen(command.c_str(), "r"),
+                                                                &::pclose);
+    std::string back(100, '\0');
+    back.resize(std::fread(back.data(), 1, back.size(), shell.get()));
+    EXPECT_EQ(back, word);
+  }
 }
 
 }  // namespace
