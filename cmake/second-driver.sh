@@ -6,12 +6,14 @@
 #     sh cmake/second-driver.sh --check         # says whether it is there; fetches nothing
 # The packages come through apt from the mirror it is configured with and are unpacked into
 # $FACET_SECOND_DRIVER (default: facet/second-driver in the user's cache folder). The system's
-# packages stay as they are; root is not needed.
+# packages stay as they are; root is not needed. What is downloaded has to have the hashes that the
+# archive has signed; where the keys to check that are missing, a line says so.
 # Exit codes: 77 where there is no second driver, with a line that says why; 2 wrong usage; else 0,
 # or what COMMAND returns.
 set -eu
 
 package=mesa-vulkan-drivers
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 
 say() { echo "second-driver: $*" >&2; }
 none() {
@@ -56,6 +58,11 @@ Dir::State::Lists "$part/lists";
 Dir::Cache "$part/cache";
 APT::Default-Release "$codename-backports";
 APT::Sandbox::User "root";
+APT::Get::AllowUnauthenticated "false";
+Acquire::GzipIndexes "false";
+Acquire::AllowInsecureRepositories "false";
+Acquire::AllowWeakRepositories "false";
+Acquire::AllowDowngradeToInsecureRepositories "false";
 Debug::NoLocking "true";
 Acquire::Retries "2";
 Acquire::http::Timeout "20";
@@ -70,7 +77,6 @@ complaint() { sed -n 's/^[EW]: //p' "$part/log" | head -n 1; }
 
 # Gets the lists of the first mirror that has backports.
 update_lists() {
-  keyring=/usr/share/keyrings/debian-archive-keyring.gpg
   options=
   if [ -f "$keyring" ]; then options="[signed-by=$keyring] "; fi
   for mirror in $(mirrors); do
@@ -94,6 +100,32 @@ download() {
   say "downloading $package $version"
   own_apt_get install --download-only --no-install-recommends "$package" ||
     none "cannot download $package $version: $(complaint)"
+}
+
+# Whether the archive has signed the lists, and the packages are those of the lists. apt has looked
+# at both already, but by settings and keys of the system's, which may be lax.
+check_signed() {
+  if [ ! -f "$keyring" ] || ! command -v gpgv >/dev/null; then
+    say "cannot check the archive's signature (gpgv and $keyring are needed): as safe as apt" \
+      "is here"
+    return
+  fi
+  for release in "$part"/lists/*InRelease; do
+    gpgv --keyring "$keyring" "$release" >"$part/log" 2>&1 ||
+      none "the archive's lists are not signed by a key of $keyring: $(tail -n 1 "$part/log")"
+  done
+  for index in "$part"/lists/*_Packages; do
+    hash=$(sha256sum "$index" | cut -d ' ' -f 1)
+    grep -q "^ $hash " "$part"/lists/*InRelease ||
+      none "$(basename "$index") has not the hash that the archive has signed"
+  done
+  for archive in "$part"/cache/archives/*.deb; do
+    hash=$(sha256sum "$archive" | cut -d ' ' -f 1)
+    name=$(dpkg-deb -f "$archive" Package)
+    apt-cache -c "$part/apt.conf" show "$name" | grep -qx "SHA256: $hash" ||
+      none "$(basename "$archive") has not the hash that the archive has signed"
+  done
+  say "the downloads have the hashes that the archive has signed"
 }
 
 # Turns the downloaded packages into the folder $part/driver: lavapipe and those of its libraries
@@ -129,6 +161,7 @@ fetch() {
   trap 'rm -rf "$part"' EXIT
   trap 'exit 130' INT TERM HUP
   download
+  check_signed
   unpack
   rm -rf "$driver"
   mv "$part/driver" "$driver"
