@@ -162,7 +162,7 @@ TEST_F(CheckpointCliTest, CheckpointsOfOtherRendersAreRefused) {
 TEST_F(CheckpointCliTest, NoCheckpointIsWrittenOver) {
   folder_.write("ck.exr", "hours of work");
   expect_failure(saved({"-o", "a.exr"}), 2, {"ck.exr: is there already", "--resume"});
-  expect_failure(saved({"-o", "a.exr", "--resume"}), 2, {"ck.exr: not a readable EXR"});
+  expect_failure(saved({"-o", "a.exr", "--resume"}), 2, {"ck.exr: it is not an OpenEXR image"});
   EXPECT_EQ(folder_.read("ck.exr"), "hours of work");
 }
 

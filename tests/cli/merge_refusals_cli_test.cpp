@@ -101,10 +101,10 @@ TEST_F(MergeCliTest, FilesThatAreNoParts) {
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
     folder_.write("cut.exr", bytes.substr(0, size));
-    expect_refusal({"cut.exr"}, {"cut.exr: ", "not a readable EXR"});
+    expect_refusal({"cut.exr"}, {"cut.exr: ", size == 0 ? "it is empty" : "not a readable EXR"});
   }
   expect_refusal({"a.exr", "none.exr"}, {"none.exr: no such file"});
-  expect_refusal({"scene.xml"}, {"scene.xml: not a readable EXR"});
+  expect_refusal({"scene.xml"}, {"scene.xml: it is not an OpenEXR image"});
 }
 
 TEST_F(MergeCliTest, InterruptedAndChangedPartsAreRefused) {
