@@ -22,27 +22,25 @@ constexpr const char* too_near =
     "A ray leaves a surface from beyond 16 times 2^-24 of its largest coordinate, which is what "
     "floats do not resolve there (docs/sampling.md, \"Ray offset\"). What lies nearer is not seen.";
 
-/// A body that is seen from outside, under nothing but the sky.
-ScenePtr alone(const TriangleMesh& body, const LookAt& view, double fov) {
+/// A body alone, seen from outside; its front glows, or not.
+ScenePtr alone(const TriangleMesh& body, const LookAt& view, double fov, bool glows = false) {
   SceneMaker maker;
   maker.sampler({"independent", {{"sampleCount", 16}}});
   maker.camera(camera({64, 64}, fov, view));
-  maker.mesh(body, {"diffuse"});
+  const Plugin black{"diffuse", {{"albedo", gray(0)}}};
+  if (glows) {
+    maker.mesh(body, black, {"area", {{"radiance", gray(1)}}});
+  } else {
+    maker.mesh(body, black);
+  }
   return maker.scene();
 }
 
-struct Shadowed {
-  std::uint64_t samples = 0;  ///< that hit the body
-  std::uint64_t dark = 0;     ///< of these, those whose ray to the sky is blocked
-};
-
-Shadowed shadowed(Bench& bench, const ScenePtr& scene) {
+Rendered seen_by(Bench& bench, const ScenePtr& scene, const char* integrator) {
   RenderRequest request;
   request.samples = bench.quick() ? 16 : 1024;
-  request.integrator = "depth";
-  const std::uint64_t hits = rendered(bench, scene, request).nonzero();
-  request.integrator = "ao";
-  return {hits, hits - rendered(bench, scene, request).nonzero()};
+  request.integrator = integrator;
+  return rendered(bench, scene, request);
 }
 
 std::string text_of_leaving(std::uint32_t index) {
@@ -70,36 +68,71 @@ Check leaving_check() {
 
 float round_radius(const Vector3& /*direction*/) { return 1; }
 
-Check self_shadow_check() {
-  Check check = surface_row(
-      "convex bodies do not shadow themselves",
-      "balls of 32 and 8192 triangles and an ellipsoid of needles, 1e-6 to 1e6 large, up to 1000 "
-      "sizes from the origin",
-      "rays to the sky that are blocked", 0);
-  check.measure = [](Bench& bench) {
-    struct Shape {
-      const char* name;
-      TriangleMesh mesh;
-    };
-    const std::vector<Shape> bodies = {
-        {"ball of 32", ball(1, round_radius)},
-        {"ball of 8192", ball(5, round_radius)},
-        {"ellipsoid", moved(ball(5, round_radius), {1, 0.03F, 0.001F}, {})}};
-    Finding finding;
-    for (const float size : {1e-6F, 1.0F, 1e6F}) {
-      for (const Vector3& place : {Vector3{0, 0, 0}, Vector3{1, 0, 0}, Vector3{300, -1000, 50}}) {
-        for (const Shape& body : bodies) {
-          const Vector3 middle = scaled(size, place);
-          const LookAt view{.origin = sum(middle, scaled(size, {2, 1.5F, -2})), .target = middle};
-          const Shadowed s =
-              shadowed(bench, alone(moved(body.mesh, {size, size, size}, middle), view, 40));
-          finding.count(s.samples, s.dark, [&] {
-            return fmt::format("{}, {:g} large, {:g} sizes from the origin", body.name, size,
-                               std::hypot(place[0], place[1], place[2]));
-          });
-        }
+/// Calls body(alone, glowing, name) for scenes of convex bodies of many sizes and places.
+template <typename Body>
+void for_each_convex_body(const Body& body) {
+  struct Shape {
+    const char* name;
+    TriangleMesh mesh;
+  };
+  const std::vector<Shape> shapes = {
+      {"ball of 32", ball(1, round_radius)},
+      {"ball of 8192", ball(5, round_radius)},
+      {"ellipsoid", moved(ball(5, round_radius), {1, 0.03F, 0.001F}, {})}};
+  for (const float size : {1e-6F, 1.0F, 1e6F}) {
+    for (const Vector3& place : {Vector3{0, 0, 0}, Vector3{1, 0, 0}, Vector3{300, -1000, 50}}) {
+      for (const Shape& shape : shapes) {
+        const Vector3 middle = scaled(size, place);
+        const LookAt view{.origin = sum(middle, scaled(size, {2, 1.5F, -2})), .target = middle};
+        const TriangleMesh mesh = moved(shape.mesh, {size, size, size}, middle);
+        body(alone(mesh, view, 40), alone(mesh, view, 40, true),
+             fmt::format("{}, {:g} large, {:g} sizes from the origin", shape.name, size,
+                         std::hypot(place[0], place[1], place[2])));
       }
     }
+  }
+}
+
+constexpr const char* convex_bodies =
+    "balls of 32 and 8192 triangles and an ellipsoid of needles, 1e-6 to 1e6 large, up to 1000 "
+    "sizes from the origin";
+
+Check self_shadow_check() {
+  Check check = surface_row("convex bodies do not shadow themselves", convex_bodies,
+                            "rays from their front to the sky that are blocked", 0);
+  check.measure = [](Bench& bench) {
+    Finding finding;
+    for_each_convex_body(
+        [&](const ScenePtr& body, const ScenePtr& glowing, const std::string& name) {
+          const Rendered front = seen_by(bench, glowing, "direct_mats");
+          const Rendered sky = seen_by(bench, body, "ao");
+          std::uint64_t blocked = 0;
+          for (std::size_t i = 0; i < front.film.pixels.size(); ++i) {
+            const std::uint64_t all = front.film.pixels[i].nonzero;
+            blocked += all - std::min<std::uint64_t>(all, sky.film.pixels[i].nonzero);
+          }
+          finding.count(front.nonzero(), blocked, [&] { return name; });
+        });
+    return finding;
+  };
+  return check;
+}
+
+Check behind_check() {
+  Check check = surface_row("convex bodies show their front", convex_bodies,
+                            "rays that hit a triangle from behind", 0);
+  check.argued =
+      "A ray within a rounding of an edge of the silhouette may meet either triangle beside the "
+      "edge, and none passes between them: the one that faces away is what keeps meshes without "
+      "leaks.";
+  check.measure = [](Bench& bench) {
+    Finding finding;
+    for_each_convex_body(
+        [&](const ScenePtr& body, const ScenePtr& glowing, const std::string& name) {
+          const std::uint64_t hits = seen_by(bench, body, "depth").nonzero();
+          finding.count(hits, hits - seen_by(bench, glowing, "direct_mats").nonzero(),
+                        [&] { return name; });
+        });
     return finding;
   };
   return check;
@@ -122,11 +155,13 @@ Check terminator_check() {
       "Directions above the shading normal's horizon and below the triangle's are inside the body: "
       "its triangles are what the scene says, and they are opaque. Finer meshes lose less.";
   check.measure = [](Bench& bench) {
-    const Shadowed s = shadowed(bench, alone(smooth_ball(), view_of_ball, 40));
+    const ScenePtr scene = alone(smooth_ball(), view_of_ball, 40);
+    const std::uint64_t hits = seen_by(bench, scene, "depth").nonzero();
+    const std::uint64_t dark = hits - seen_by(bench, scene, "ao").nonzero();
     Finding finding;
-    finding.add(static_cast<double>(s.dark) / static_cast<double>(s.samples),
-                [&] { return fmt::format("{} of {} rays", s.dark, s.samples); });
-    finding.inputs = s.samples;
+    finding.add(static_cast<double>(dark) / static_cast<double>(hits),
+                [&] { return fmt::format("{} of {} rays", dark, hits); });
+    finding.inputs = hits;
     return finding;
   };
   return check;
@@ -216,7 +251,10 @@ std::vector<EdgeScene> surface_scenes() {
 }
 
 std::vector<Check> surface_checks() {
-  return {leaving_check(), self_shadow_check(), terminator_check(),
+  return {leaving_check(),
+          self_shadow_check(),
+          behind_check(),
+          terminator_check(),
           gap_check("surfaces 32 to 1024 times 2^-24 apart", {32, 64, 256, 1024}, ""),
           gap_check("surfaces 1 to 24 times 2^-24 apart", {1, 2, 4, 8, 16, 24}, too_near)};
 }
