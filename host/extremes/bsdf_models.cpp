@@ -101,12 +101,9 @@ Reflectance of_dielectric(const Exact& cosine, const Exact& from, const Exact& t
   return {cosine, [&](const Exact& c) { return all(fresnel(c, from, to)); }};
 }
 
-/// What a dielectric lets through: formed as 1 less the reflectance, which is rounded to float and
-/// near 1 at grazing angles.
+/// What a dielectric lets through.
 Reflectance through_dielectric(const Exact& cosine, const Exact& from, const Exact& to) {
-  Reflectance r(cosine, [&](const Exact& c) { return all(1 - fresnel(c, from, to)); });
-  r.change += 0x1p-23;
-  return r;
+  return {cosine, [&](const Exact& c) { return all(1 - fresnel(c, from, to)); }};
 }
 
 /// Schlick's, of r0 at normal incidence.

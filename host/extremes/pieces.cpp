@@ -94,27 +94,33 @@ Real conductor_reflectance(Real cosine, Real eta, Real k) {
 float conductor_k(float b) { return 1000.0F * b * b; }
 
 void add_reflectances(std::vector<Check>& checks) {
-  Function dielectric = of_numbers(FUNCTION_FRESNEL_DIELECTRIC,
-                                   [](const auto& n) { return reflectance(n.a, n.eta); });
-  // Where the indices are nearly equal, the amplitudes' formula loses digits in double, too.
-  dielectric.in_double = [exact = dielectric.exact](std::uint32_t index) {
-    return static_cast<double>(exact(index));
+  const auto add = [&](const char* name, std::uint32_t function, auto of) {
+    Function dielectric =
+        of_numbers(function, [of](const auto& n) { return of(reflectance(n.a, n.eta)); });
+    // Where the indices are nearly equal, the amplitudes' formula loses digits in double, too; and
+    // so does 1 less it.
+    dielectric.in_double = [exact = dielectric.exact](std::uint32_t index) {
+      return static_cast<double>(exact(index));
+    };
+    // Beside the critical angle the slope is infinite: what the cosine's rounding would change does
+    // not count.
+    dielectric.yardstick = [of](std::uint32_t index, double value) {
+      const Numbers<double> n(index);
+      if (n.eta >= 1) return std::max(value, 1e-30);
+      double change = 0;
+      for (const double by : {-0x1p-23, 0x1p-23})
+        change = std::max(change, std::abs(of(reflectance(n.a * (1 + by), n.eta)) - value));
+      return std::max(value + 1e5 * change, 1e-30);
+    };
+    checks.push_back(relative_check(name,
+                                    "cosine a from 0 to 1, index eta from 1/4 to 4, at and near 1 "
+                                    "as well; below 1 beside what an ulp of the cosine changes",
+                                    1e-5, dielectric));
   };
-  // Beside the critical angle the slope is infinite: what the cosine's rounding would change does
-  // not count.
-  dielectric.yardstick = [](std::uint32_t index, double value) {
-    const Numbers<double> n(index);
-    if (n.eta >= 1) return std::max(value, 1e-30);
-    double change = 0;
-    for (const double by : {-0x1p-23, 0x1p-23})
-      change = std::max(change, std::abs(reflectance(n.a * (1 + by), n.eta) - value));
-    return std::max(value + 1e5 * change, 1e-30);
-  };
-  checks.push_back(relative_check("Fresnel reflectance of a dielectric",
-                                  "cosine a from 0 to 1, index eta from 1/4 to 4, at and near 1 as "
-                                  "well; below 1 beside what an "
-                                  "ulp of the cosine changes",
-                                  1e-5, dielectric));
+  add("Fresnel reflectance of a dielectric", FUNCTION_FRESNEL_DIELECTRIC,
+      [](const auto& r) { return r; });
+  add("Fresnel transmittance of a dielectric", FUNCTION_FRESNEL_TRANSMITTANCE,
+      [](const auto& r) { return std::decay_t<decltype(r)>(1 - r); });
   checks.push_back(relative_check("Schlick's reflectance", "cosine a and reflectance b from 0 to 1",
                                   1e-6, of_numbers(FUNCTION_FRESNEL_SCHLICK, [](const auto& n) {
                                     const auto m = 1 - n.a;

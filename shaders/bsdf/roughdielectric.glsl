@@ -27,10 +27,19 @@ RoughInterface roughdielectric_interface(BsdfRecord b, vec3 wo) {
   return r;
 }
 
-/// Probability of reflection at a microfacet of reflectance f, in whole words, within reach.
-float roughdielectric_reflection_probability(float f) {
-  float p = min(max(f, 5.96046448e-8), 0.99999994);
-  return f > 0.0 && f < 1.0 ? whole_words(p) : f;
+/// Probabilities of reflection and of refraction at a microfacet. The rarer one is a number of
+/// whole words, and at least 2^-10 unless it is 0: of fewer words, one more or less would show.
+struct RoughChoice {
+  float reflection;
+  float refraction;
+  bool reflection_is_rarer;
+};
+
+RoughChoice roughdielectric_choice(FresnelShares f) {
+  float least = min(f.reflected, f.transmitted);
+  float p = least > 0.0 ? whole_words(max(least, 9.765625e-4)) : 0.0;
+  return f.reflected <= f.transmitted ? RoughChoice(p, 1.0 - p, true)
+                                      : RoughChoice(1.0 - p, p, false);
 }
 
 /// Half vector of a refracted pair: not normalised; valid where it is a microfacet that both see
@@ -64,7 +73,7 @@ vec3 roughdielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) {
   MicrofacetPair up = microfacet_pair(r.wo, wi_up);
   float reflected = fresnel_dielectric(up.cos_h, r.eta_o, r.eta_i) * microfacet_d(up.h, r.m) * 0.25;
   RefractionPair down = roughdielectric_refraction(r, wi_up);
-  float t = 1.0 - fresnel_dielectric(down.o_dot_h, r.eta_o, r.eta_i);
+  float t = fresnel_shares(down.o_dot_h, r.eta_o, r.eta_i).transmitted;
   float refracted = abs(down.i_dot_h) * down.o_dot_h * (r.eta_o * r.eta_o) * t *
                     microfacet_d(down.h, r.m) / down.h2;
   float value = wi_up.z > 0.0 ? reflected : (down.valid ? refracted : 0.0);
@@ -75,17 +84,14 @@ float roughdielectric_pdf(BsdfRecord b, vec3 wo, vec3 wi) {
   RoughInterface r = roughdielectric_interface(b, wo);
   vec3 wi_up = vec3(wi.xy, wi.z * r.side);
   MicrofacetPair up = microfacet_pair(r.wo, wi_up);
-  float p_up =
-      roughdielectric_reflection_probability(fresnel_dielectric(up.cos_h, r.eta_o, r.eta_i));
+  float p_up = roughdielectric_choice(fresnel_shares(up.cos_h, r.eta_o, r.eta_i)).reflection;
   float reflected = p_up * microfacet_pdf(up.h, up.o_dot_h, r.wo, r.m);
   RefractionPair down = roughdielectric_refraction(r, wi_up);
-  float p_down =
-      roughdielectric_reflection_probability(fresnel_dielectric(down.o_dot_h, r.eta_o, r.eta_i));
+  float p_down = roughdielectric_choice(fresnel_shares(down.o_dot_h, r.eta_o, r.eta_i)).refraction;
   // microfacet_pdf is over 4 wo.h, here of an h that is not normalised.
   float length = sqrt(down.h2);
   float half_vector = microfacet_pdf(down.h, down.o_dot_h * length, r.wo, r.m) * 4.0 * down.o_dot_h;
-  float refracted =
-      (1.0 - p_down) * half_vector * (r.eta_i * r.eta_i) * abs(down.i_dot_h) / down.h2;
+  float refracted = p_down * half_vector * (r.eta_i * r.eta_i) * abs(down.i_dot_h) / down.h2;
   return wi_up.z > 0.0 ? reflected : (down.valid ? refracted : 0.0);
 }
 
@@ -99,9 +105,11 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   }
   vec3 wh = microfacet_sample_half_vector(r.wo, r.m, square_of(n));
   float c = dot3(r.wo, wh);
-  float f = fresnel_dielectric(c, r.eta_o, r.eta_i);
-  float p = roughdielectric_reflection_probability(f);
-  bool reflects = is_first(n.lobe, p);
+  FresnelShares f = fresnel_shares(c, r.eta_o, r.eta_i);
+  RoughChoice choice = roughdielectric_choice(f);
+  bool is_rarer = is_first(n.lobe, min(choice.reflection, choice.refraction));
+  bool reflects = is_rarer == choice.reflection_is_rarer;
+  float p = reflects ? choice.reflection : choice.refraction;
   float e = r.eta_o / r.eta_i;
   float cos_t = sqrt(max(1.0 - e * e * max((1.0 - c) * (1.0 + c), 0.0), 0.0));
   // e c - cos_t, which would cancel for nearly equal indices; eta_i times it is eta_i wi.wh + eta_o
@@ -110,8 +118,8 @@ BsdfSample roughdielectric_sample(BsdfRecord b, vec3 wo, BsdfNumbers n) {
   vec3 wi = reflects ? 2.0 * c * wh - r.wo : bend * wh - e * r.wo;
   float jacobian = 4.0 * c * cos_t / max(bend * bend, 1.0e-30);
   float pdf_h = microfacet_pdf(wh, c, r.wo, r.m);
-  s.pdf = pdf_h * (reflects ? p : (1.0 - p) * jacobian);
-  float share = reflects ? f / p : (1.0 - f) / (1.0 - p) * (e * e);
+  s.pdf = pdf_h * (reflects ? p : p * jacobian);
+  float share = reflects ? f.reflected / p : f.transmitted / p * (e * e);
   bool valid = c > 0.0 && (reflects ? wi.z > 0.0 : wi.z < 0.0);
   float lobe_weight = share * microfacet_weight(wh, c, r.wo, vec3(wi.xy, abs(wi.z)), r.m);
   s.weight = valid ? roughdielectric_ka(b) * lobe_weight : vec3(0.0);

@@ -39,6 +39,7 @@ float of_model(uint index) {
   vec2 ab = n.xy;
   vec3 w = vec3(n.x, 0.0, n.y);
   if (FUNCTION == FUNCTION_FRESNEL_DIELECTRIC) return fresnel_dielectric(n.x, 1.0, n.w);
+  if (FUNCTION == FUNCTION_FRESNEL_TRANSMITTANCE) return fresnel_shares(n.x, 1.0, n.w).transmitted;
   if (FUNCTION == FUNCTION_FRESNEL_SCHLICK) return fresnel_schlick(vec3(n.y), n.x).x;
   if (FUNCTION == FUNCTION_FRESNEL_CONDUCTOR)
     return fresnel_conductor(vec3(n.w), vec3(1000.0 * n.y * n.y), n.x).x;

@@ -38,9 +38,17 @@ vec3 fresnel_conductor(vec3 eta, vec3 k, float c) {
   return 0.5 * rs * (vec3(1.0) + rp);
 }
 
-/// Unpolarised reflectance between two dielectrics; c is the cosine on the exterior side (negative:
-/// seen from inside). 1 beyond the critical angle, 0 for equal indices.
-float fresnel_dielectric(float c, float ext_ior, float int_ior) {
+/// Shares of the light that meets an interface; their sum is 1 but for rounding, which each has of
+/// its own: neither is what the other leaves.
+struct FresnelShares {
+  float reflected;
+  float transmitted;
+};
+
+/// Unpolarised reflectance and transmittance between two dielectrics; c is the cosine on the
+/// exterior side (negative: seen from inside). All is reflected beyond the critical angle, nothing
+/// between equal indices.
+FresnelShares fresnel_shares(float c, float ext_ior, float int_ior) {
   float eta_i = c < 0.0 ? int_ior : ext_ior;
   float eta_t = c < 0.0 ? ext_ior : int_ior;
   float ci = min(abs(c), 1.0);
@@ -57,8 +65,17 @@ float fresnel_dielectric(float c, float ext_ior, float int_ior) {
   float rs = d / a / a;
   float rp = d * (ci * ci * (1.0 + r) - r) / b / b;
   float f = min(0.5 * (rs * rs + rp * rp), 1.0);
+  // 1 less the squares of the amplitudes, by a^2 - (eta_i ci - eta_t ct)^2 = 4 eta_i ci eta_t ct.
+  float q = eta_i * ci * (eta_t * ct);
+  float t = min(2.0 * (q / a / a + q / b / b), 1.0);
   f = ct2 <= 0.0 ? 1.0 : f;
-  return eta_i == eta_t ? 0.0 : f;
+  t = ct2 <= 0.0 ? 0.0 : t;
+  return eta_i == eta_t ? FresnelShares(0.0, 1.0) : FresnelShares(f, t);
+}
+
+/// The reflectance alone.
+float fresnel_dielectric(float c, float ext_ior, float int_ior) {
+  return fresnel_shares(c, ext_ior, int_ior).reflected;
 }
 
 #endif

@@ -46,25 +46,26 @@ FACET_CONSTANT uint FUNCTION_ERFC = 6u;
 FACET_CONSTANT uint FUNCTION_ERFINV = 7u;
 // Of model_numbers: (a, b, alpha, eta).
 FACET_CONSTANT uint FUNCTION_FRESNEL_DIELECTRIC = 8u;     // cosine a, indices 1 and eta
-FACET_CONSTANT uint FUNCTION_FRESNEL_SCHLICK = 9u;        // cosine a, b at normal incidence
-FACET_CONSTANT uint FUNCTION_FRESNEL_CONDUCTOR = 10u;     // cosine a, index eta + 1000 b^2 i
-FACET_CONSTANT uint FUNCTION_BECKMANN_D = 11u;            // half vector (a, 0, b)
-FACET_CONSTANT uint FUNCTION_GGX_D = 12u;                 // the same
-FACET_CONSTANT uint FUNCTION_BECKMANN_G1_RATIONAL = 13u;  // direction (a, 0, b)
-FACET_CONSTANT uint FUNCTION_BECKMANN_G1_EXACT = 14u;     // the same
-FACET_CONSTANT uint FUNCTION_GGX_G1 = 15u;                // the same
-FACET_CONSTANT uint FUNCTION_VISIBLE_SLOPE = 16u;         // cosine of view a, number b
-FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_X = 17u;   // numbers (a, b)
-FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Y = 18u;
-FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Z = 19u;
-FACET_CONSTANT uint FUNCTION_TRIANGLE_U = 20u;  // numbers (a, b)
-FACET_CONSTANT uint FUNCTION_TRIANGLE_V = 21u;
-FACET_CONSTANT uint FUNCTION_QUOTIENT = 22u;     // of wide_quotient, in whole numbers
-FACET_CONSTANT uint FUNCTION_OFFSET_USED = 23u;  // of extreme_corner and leaving_numbers
+FACET_CONSTANT uint FUNCTION_FRESNEL_TRANSMITTANCE = 9u;  // the same
+FACET_CONSTANT uint FUNCTION_FRESNEL_SCHLICK = 10u;       // cosine a, b at normal incidence
+FACET_CONSTANT uint FUNCTION_FRESNEL_CONDUCTOR = 11u;     // cosine a, index eta + 1000 b^2 i
+FACET_CONSTANT uint FUNCTION_BECKMANN_D = 12u;            // half vector (a, 0, b)
+FACET_CONSTANT uint FUNCTION_GGX_D = 13u;                 // the same
+FACET_CONSTANT uint FUNCTION_BECKMANN_G1_RATIONAL = 14u;  // direction (a, 0, b)
+FACET_CONSTANT uint FUNCTION_BECKMANN_G1_EXACT = 15u;     // the same
+FACET_CONSTANT uint FUNCTION_GGX_G1 = 16u;                // the same
+FACET_CONSTANT uint FUNCTION_VISIBLE_SLOPE = 17u;         // cosine of view a, number b
+FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_X = 18u;   // numbers (a, b)
+FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Y = 19u;
+FACET_CONSTANT uint FUNCTION_COSINE_HEMISPHERE_Z = 20u;
+FACET_CONSTANT uint FUNCTION_TRIANGLE_U = 21u;  // numbers (a, b)
+FACET_CONSTANT uint FUNCTION_TRIANGLE_V = 22u;
+FACET_CONSTANT uint FUNCTION_QUOTIENT = 23u;     // of wide_quotient, in whole numbers
+FACET_CONSTANT uint FUNCTION_OFFSET_USED = 24u;  // of extreme_corner and leaving_numbers
 // Of extreme_corner, seen from extreme_viewer, and of the weights in leaving_numbers as (u, v).
-FACET_CONSTANT uint FUNCTION_SEEN_SOLID_ANGLE = 24u;
-FACET_CONSTANT uint FUNCTION_SEEN_POINT_B1 = 25u;
-FACET_CONSTANT uint FUNCTION_SEEN_POINT_B2 = 26u;
+FACET_CONSTANT uint FUNCTION_SEEN_SOLID_ANGLE = 25u;
+FACET_CONSTANT uint FUNCTION_SEEN_POINT_B1 = 26u;
+FACET_CONSTANT uint FUNCTION_SEEN_POINT_B2 = 27u;
 
 /// Bits of a float that is often at an edge of something: half of them are of any kind and size,
 /// the others are near powers of two, denormal, infinite, NaN, 0, the least or largest, or of a

@@ -99,15 +99,20 @@ TEST(ReferenceBsdf, dielectric_reflectance_is_fresnels) {
         const long double p = (to * c - ct) / (to * c + ct);
         expected = (s * s + p * p) / 2;
       }
-      EXPECT_NEAR(dielectric_reflectance(c, 1.0, to, 0, probe), static_cast<double>(expected),
+      EXPECT_NEAR(dielectric_shares(c, 1.0, to, 0, probe).reflected, static_cast<double>(expected),
                   1e-12);
-      EXPECT_NEAR(
-          static_cast<double>(dielectric_reflectance(static_cast<float>(c), 1.0F, index, 0, probe)),
-          static_cast<double>(expected), 2e-4 * static_cast<double>(expected) + 1e-9)
+      EXPECT_NEAR(static_cast<double>(
+                      dielectric_shares(static_cast<float>(c), 1.0F, index, 0, probe).reflected),
+                  static_cast<double>(expected), 2e-4 * static_cast<double>(expected) + 1e-9)
+          << to << ' ' << c;
+      // To its own digits where nearly all is reflected.
+      const auto passed = static_cast<double>(1 - expected);
+      EXPECT_NEAR(dielectric_shares(c, 1.0, to, 0, probe).transmitted, passed, 1e-11 * passed)
           << to << ' ' << c;
     }
   }
-  EXPECT_EQ(dielectric_reflectance(0.3, 1.5, 1.5, 0, probe), 0);
+  EXPECT_EQ(dielectric_shares(0.3, 1.5, 1.5, 0, probe).reflected, 0);
+  EXPECT_EQ(dielectric_shares(0.3, 1.5, 1.5, 0, probe).transmitted, 1);
 }
 
 TEST(ReferenceBsdf, conductor_reflectance_is_fresnels) {
@@ -131,8 +136,8 @@ TEST(ReferenceBsdf, conductor_reflectance_is_fresnels) {
   Unwatched probe;
   for (const double c : {1.0, 0.6, 0.2}) {
     for (const double eta : {1.5, 0.7})
-      EXPECT_NEAR(conductor_reflectance(eta, 0.0, c), dielectric_reflectance(c, 1.0, eta, 0, probe),
-                  1e-12);
+      EXPECT_NEAR(conductor_reflectance(eta, 0.0, c),
+                  dielectric_shares(c, 1.0, eta, 0, probe).reflected, 1e-12);
   }
 }
 

@@ -153,7 +153,7 @@ TEST(ReferenceSampling, a_dielectric_reflects_by_fresnel_and_refracts_by_snell) 
     ASSERT_TRUE(model.delta() && model.transmits());
     const double outer = wo.z > 0 ? 1 : 1.5;
     const double inner = 2.5 - outer;
-    const double f = dielectric_reflectance(std::abs(wo.z), outer, inner, 0, probe);
+    const double f = dielectric_shares(std::abs(wo.z), outer, inner, 0, probe).reflected;
     const BsdfSample<double> reflected = model.sample(wo, numbers(0, 0, 0), probe);
     EXPECT_EQ(reflected.wi, Direction(-wo.x, -wo.y, wo.z));
     EXPECT_EQ(reflected.weight, Direction(1));

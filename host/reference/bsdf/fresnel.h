@@ -16,23 +16,35 @@ template <typename Real>
   return r0 * (1 - m5) + Vec3<Real>(m5);
 }
 
-/// Unpolarised reflectance for light that arrives at cosine c >= 0 from the side of index `from`,
-/// in the form of R. Cook and K. Torrance 1982 (also B. Walter et al. 2007, eq. 22) with g - c
-/// written as (g^2 - c^2)/(g
-/// + c), so that nearly equal indices keep their digits.
+/// Shares of the light that meets an interface.
+template <typename Real>
+struct InterfaceShares {
+  Real reflected;
+  Real transmitted;
+};
+
+/// Unpolarised, for light that arrives at cosine c >= 0 from the side of index `from`, in the form
+/// of R. Cook and K. Torrance 1982 (also B. Walter et al. 2007, eq. 22) with g - c written as (g^2
+/// - c^2)/(g + c), so that nearly equal indices keep their digits. The transmittance is the sum of
+/// those of both polarisations, 4 c g/(g + c)^2 and that times (eta/(c (g - c) + 1))^2, and keeps
+/// its digits where nearly all is reflected.
 template <typename Real, typename Probe>
-[[nodiscard]] Real dielectric_reflectance(Real c, Real from, Real to, std::uint64_t which,
-                                          Probe& probe) {
-  if (from == to) return 0;
+[[nodiscard]] InterfaceShares<Real> dielectric_shares(Real c, Real from, Real to,
+                                                      std::uint64_t which, Probe& probe) {
+  if (from == to) return {0, 1};
   const Real excess = (to - from) * (to + from) / (from * from);  // eta^2 - 1
   const Real g2 = excess + c * c;
-  if (!probe.positive(DecisionKind::reflectance, g2, which)) return 1;
+  if (!probe.positive(DecisionKind::reflectance, g2, which)) return {1, 0};
   const Real g = std::sqrt(std::max(g2, Real(0)));
   const Real sum = g + c;
   const Real difference = excess / sum;
   const Real perpendicular = difference / sum;
-  const Real ratio = (c * sum - 1) / (c * difference + 1);
-  return std::min(perpendicular * perpendicular * (1 + ratio * ratio) / 2, Real(1));
+  const Real below = c * difference + 1;
+  const Real ratio = (c * sum - 1) / below;
+  const Real eta = to / from;
+  const Real reflected = perpendicular * perpendicular * (1 + ratio * ratio) / 2;
+  const Real transmitted = 2 * c * g / (sum * sum) * (1 + eta * eta / (below * below));
+  return {std::min(reflected, Real(1)), std::min(transmitted, Real(1))};
 }
 
 /// Unpolarised reflectance of a conductor of index n = eta + i k at cosine c > 0, from Fresnel's

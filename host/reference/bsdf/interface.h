@@ -9,10 +9,14 @@ struct Interface {
   Real outer;  ///< index of refraction on the side of wo, above
   Real inner;
 
-  /// Reflectance where light arrives from above at cosine c. which: number of the decision.
+  /// Where light arrives from above at cosine c. which: number of the decision.
+  template <typename Probe>
+  [[nodiscard]] InterfaceShares<Real> shares(Real c, std::uint64_t which, Probe& probe) const {
+    return dielectric_shares(std::min(c, Real(1)), outer, inner, which, probe);
+  }
   template <typename Probe>
   [[nodiscard]] Real reflectance(Real c, std::uint64_t which, Probe& probe) const {
-    return dielectric_reflectance(std::min(c, Real(1)), outer, inner, which, probe);
+    return shares(c, which, probe).reflected;
   }
 
   [[nodiscard]] bool is_none() const { return outer == inner; }

@@ -30,12 +30,12 @@ class RoughDielectric {
   Vec3<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi, Probe& probe) const {
     const Pair pair = pair_of(wo, wi, probe);
     if (!pair.valid) return Vec3<Real>(0);
-    const Real f = interface_.reflectance(pair.cosine, 0, probe);
+    const InterfaceShares<Real> f = interface_.shares(pair.cosine, 0, probe);
     const Real g = microfacets_.masking(wo, wi, probe);
     const Real d = microfacets_.density(pair.h, probe);
     // D G over cos_i cos_o times the two ways' Jacobians: that of the density, and (eta_o/eta_i)^2
     // for radiance.
-    const Real share = pair.reflected ? f : (1 - f) / eta2();
+    const Real share = pair.reflected ? f.reflected : f.transmitted / eta2();
     return tint_ * (share * pair.jacobian * pair.cosine * d * g / (std::abs(wi.z) * wo.z));
   }
 
@@ -43,8 +43,8 @@ class RoughDielectric {
   Real pdf(const Vec3<Real>& wo, const Vec3<Real>& wi, Probe& probe) const {
     const Pair pair = pair_of(wo, wi, probe);
     if (!pair.valid) return 0;
-    const Real p = within_reach(interface_.reflectance(pair.cosine, 0, probe));
-    return (pair.reflected ? p : 1 - p) * directed_pdf(wo, pair, probe);
+    const Choice choice(interface_.shares(pair.cosine, 0, probe));
+    return choice.probability(pair.reflected) * directed_pdf(wo, pair, probe);
   }
 
   template <typename Probe>
@@ -53,18 +53,18 @@ class RoughDielectric {
     const Vec3<Real> h = microfacets_.sample_half_vector(wo, n.u<Real>(), n.v<Real>(), probe);
     Pair pair{true, true, h, glm::dot(wo, h), 0};
     if (!faces(pair.cosine, probe)) return {};
-    const Real f = interface_.reflectance(pair.cosine, 0, probe);
-    const Real p = within_reach(f);
-    pair.reflected = n.choose_first_at_last(p, probe);
+    const InterfaceShares<Real> f = interface_.shares(pair.cosine, 0, probe);
+    const Choice choice(f);
+    pair.reflected = n.choose_first_at_last(choice.rarer, probe) == choice.reflection_is_rarer;
     const Vec3<Real> wi = pair.reflected ? 2 * pair.cosine * h - wo : refract(wo, pair, probe);
     if (is_above(wi, probe) != pair.reflected) return {};
     if (pair.reflected) pair.jacobian = jacobian_of_reflection(pair.cosine);
-    const Real choice = pair.reflected ? p : 1 - p;
-    const Real share = (pair.reflected ? f : 1 - f) / choice;
+    const Real p = choice.probability(pair.reflected);
+    const Real share = (pair.reflected ? f.reflected : f.transmitted) / p;
     const Real passed = pair.reflected ? Real(1) : eta2();
     const Real weight =
         share / passed * microfacets_.half_vector_weight(wo, wi, h, pair.cosine, probe);
-    return {wi, choice * directed_pdf(wo, pair, probe), tint_ * weight, passed};
+    return {wi, p * directed_pdf(wo, pair, probe), tint_ * weight, passed};
   }
 
  private:
@@ -75,6 +75,22 @@ class RoughDielectric {
     Vec3<Real> h{0};    ///< of any length for a pair that was given, unit for a sample
     Real cosine = 0;    ///< of wo and h
     Real jacobian = 0;  ///< solid angle of half vectors over that of wi
+  };
+
+  /// Between reflection and refraction. The rarer one keeps at least 2^-10 unless it cannot be, in
+  /// whole words, of which one more or less then hardly matters.
+  struct Choice {
+    bool reflection_is_rarer;
+    Real rarer;  ///< its probability
+
+    explicit Choice(const InterfaceShares<Real>& f)
+        : reflection_is_rarer(f.reflected <= f.transmitted),
+          rarer(reflection_is_rarer ? f.reflected : f.transmitted) {
+      if (rarer > 0) rarer = within_reach(std::max(rarer, Real(1) / 1024));
+    }
+    [[nodiscard]] Real probability(bool reflected) const {
+      return reflected == reflection_is_rarer ? rarer : 1 - rarer;
+    }
   };
 
   static Real jacobian_of_reflection(Real cosine) { return 1 / (4 * cosine); }
