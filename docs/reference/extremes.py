@@ -2,6 +2,8 @@
 
     facet extremes --json a.json
     python3 extremes.py a.json [b.json ...] > extremes.md
+
+Rows of a later file replace those of an earlier one of the same device and driver.
 """
 
 import json
@@ -56,8 +58,21 @@ def escaped(text):
     return text.replace("|", "\\|")
 
 
+def read_tables(names):
+    """The tables of the files, one a device and driver."""
+    tables = {}
+    for name in names:
+        table = json.load(open(name))
+        known = tables.setdefault((table["device"], table["driver"], table["quick"]), table)
+        if known is table:
+            continue
+        rows = {(row["group"], row["name"]): row for row in known["rows"] + table["rows"]}
+        known["rows"] = list(rows.values())
+    return list(tables.values())
+
+
 def main():
-    tables = [json.load(open(name)) for name in sys.argv[1:]]
+    tables = read_tables(sys.argv[1:])
     print(INTRODUCTION)
     for table in tables:
         inputs = "a sample of the inputs" if table["quick"] else "all inputs"

@@ -191,6 +191,25 @@ TEST_F(InjectedFaultsCliTest, ALostDeviceLosesNoCheckpoint) {
   EXPECT_FALSE(exists("ck.exr"));
 }
 
+/// At every call by which a checkpoint is written.
+TEST_F(InjectedFaultsCliTest, KillsInTheWritingOfACheckpointLoseNothing) {
+  const Words options{"--spp", "6000", "--sampler", "sobol"};
+  (void)count_calls(options);
+  Words words = command(options);
+  words.insert(words.end(), {"--checkpoint-every", "0.01", "--resume"});
+  for (const char* call : {"open:1", "write:1", "write:20", "fsync:1", "linkat:1", "rename:1",
+                           "fsync:2", "write:900", "linkat:2", "rename:2"}) {
+    SCOPED_TRACE(call);
+    write_old_outputs();
+    // Where the calls are the outputs', of a render that wrote fewer checkpoints, the same holds.
+    const Result killed = run(words, environment(call + std::string(":kill")));
+    EXPECT_TRUE(killed.code == 1000 + SIGKILL || killed.code == 0) << killed.code;
+    const Result result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(folder_.read("a.png"), image_);
+  }
+}
+
 /// Each writes a file of its own and then gives it the name.
 TEST_F(InjectedFaultsCliTest, TwoProgramsThatWriteOneOutput) {
   (void)count_calls(reference);

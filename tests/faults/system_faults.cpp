@@ -2,8 +2,9 @@
 // its libraries are neither counted nor touched, but those of `operator new`, which is the
 // program's own.
 //
-// HOW: for `write` an errno, or "short" (one byte is written); for `realtime` and `monotonic`
-// seconds by which the clock jumps at that call; for the others an errno.
+// HOW: for `realtime` and `monotonic` seconds by which the clock jumps at that call; for the others
+// an errno, or "kill" (the program is killed before the call); for `write` also "short" (one byte
+// is written).
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <link.h>
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <ctime>
 
@@ -79,6 +81,7 @@ const char* fault_of(Call call, const void* caller) {
 
 /// Sets errno; -1.
 int refuse(const char* how, int usual) {
+  if (std::strcmp(how, "kill") == 0) (void)::kill(::getpid(), SIGKILL);
   errno = *how != '\0' ? std::atoi(how) : usual;
   return -1;
 }
