@@ -53,23 +53,24 @@ FresnelShares fresnel_shares(float c, float ext_ior, float int_ior) {
   float eta_t = c < 0.0 ? ext_ior : int_ior;
   float ci = min(abs(c), 1.0);
   // Written in the difference of the indices, so that nothing cancels where they are nearly equal:
-  // ct^2 = 1 - r + r ci^2, rs = (eta_i^2 - eta_t^2) / a^2, rp = (eta_t^2 - eta_i^2) (ci^2 (1 + r) -
-  // r) / b^2, r = (eta_i / eta_t)^2.
+  // (eta_t ct)^2 = eta_t^2 - eta_i^2 + (eta_i ci)^2, rs = (eta_i^2 - eta_t^2) / a^2, rp = (eta_t^2
+  // - eta_i^2) (ci^2 (1 + r) - r) / b^2, r = (eta_i / eta_t)^2.
   float d = (eta_t - eta_i) * (eta_t + eta_i);
   float ratio = eta_i / eta_t;
   float r = ratio * ratio;
-  float ct2 = d / eta_t / eta_t + r * (ci * ci);
-  float ct = sqrt(max(ct2, 0.0));
-  float a = eta_i * ci + eta_t * ct;
-  float b = eta_t * ci + eta_i * ct;
+  float p = eta_i * ci;
+  float w2 = d + p * p;
+  float w = sqrt(max(w2, 0.0));
+  float a = p + w;
+  float b = eta_t * ci + ratio * w;
   float rs = d / a / a;
   float rp = d * (ci * ci * (1.0 + r) - r) / b / b;
   float f = min(0.5 * (rs * rs + rp * rp), 1.0);
   // 1 less the squares of the amplitudes, by a^2 - (eta_i ci - eta_t ct)^2 = 4 eta_i ci eta_t ct.
-  float q = eta_i * ci * (eta_t * ct);
+  float q = p * w;
   float t = min(2.0 * (q / a / a + q / b / b), 1.0);
-  f = ct2 <= 0.0 ? 1.0 : f;
-  t = ct2 <= 0.0 ? 0.0 : t;
+  f = w2 <= 0.0 ? 1.0 : f;
+  t = w2 <= 0.0 ? 0.0 : t;
   return eta_i == eta_t ? FresnelShares(0.0, 1.0) : FresnelShares(f, t);
 }
 
