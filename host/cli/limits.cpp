@@ -56,8 +56,8 @@ void limit_time(double seconds) {
     const double left = seconds - seconds_since_start();
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
     const std::string what = activity();
-    say("facet: --limit-time {:g}: the time is over{}; nothing was written\n", seconds,
-        what.empty() ? "" : " while " + what);
+    say("facet: --limit-time {:g}: the time is over{}; what was not written by now is not\n",
+        seconds, what.empty() ? "" : " while " + what);
     AtomicFile::remove_unfinished();
     ::_exit(static_cast<int>(ExitCode::bad_input));
   }).detach();

@@ -80,7 +80,7 @@ std::string describe_lack(std::uint64_t bytes) {
   const auto size = [](std::uint64_t b) { return with_unit_prefix(static_cast<double>(b)) + "B"; };
   const Activity* activity = Activity::innermost();
   std::string message = "out of memory";
-  if (activity != nullptr) message += " while " + activity->what();
+  if (activity != nullptr) message += " while " + printable(activity->what());
   message += fmt::format(": {} more would be needed", size(bytes));
   const auto left = available_memory();
   if (!left) return message;

@@ -255,8 +255,7 @@ Result value(const T& /*b*/, const DirectionPair& /*p*/) {
 
 /// The neighbour of a component, in direction of `sign`.
 void round_component(vec3& v, int component, float sign) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  v[component] = std::nextafter(v[component], sign * infinity);
+  v[component] = std::nextafter(v[component], sign * std::numeric_limits<float>::infinity());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "reference/first_surface.h"
 #include "reference/scene_rays.h"
 #include "reference/world.h"
 
@@ -25,15 +26,16 @@ class Tracer {
   [[nodiscard]] Vec3<Real> radiance(int x, int y) {
     probe_.at_ray(0);
     const Ray<Real> ray = world_.camera.ray(x, y, world_.camera.filter_sample(id_), probe_);
+    FirstSurface<Real, Probe> first(rays_, integrator_, id_, probe_);
     switch (integrator_.type.kernel) {
       case INTEGRATOR_normals:
-        return normals(ray);
+        return first.normals(ray);
       case INTEGRATOR_depth:
-        return depth(ray);
+        return first.depth(ray);
       case INTEGRATOR_ambient_occlusion:
-        return ambient_occlusion(ray);
+        return first.ambient_occlusion(ray);
       case INTEGRATOR_simple:
-        return simple(ray);
+        return first.simple(ray);
       default:
         return radiance_along(ray);
     }
@@ -65,46 +67,6 @@ class Tracer {
     Receiver<Real> from{};  ///< where the ray leaves a surface
     Real eta2 = 1;          ///< product of (eta_i/eta_o)^2 of all refractions
   };
-
-  [[nodiscard]] Vec3<Real> normals(const Ray<Real>& ray) {
-    const Hit<Real> hit = rays_.closest(ray);
-    return hit.triangle == none ? Vec3<Real>(0) : glm::abs(rays_.surface_of(hit).ns);
-  }
-
-  [[nodiscard]] Vec3<Real> depth(const Ray<Real>& ray) {
-    const Hit<Real> hit = rays_.closest(ray);
-    return Vec3<Real>(hit.triangle == none ? Real(0) : hit.t);
-  }
-
-  [[nodiscard]] Vec3<Real> ambient_occlusion(const Ray<Real>& ray) {
-    const Hit<Real> hit = rays_.closest(ray);
-    if (hit.triangle == none) return Vec3<Real>(0);
-    Surface<Real> s = rays_.surface_of(hit);
-    const Real cosine = glm::dot(s.ns, ray.direction);
-    // Both sides see the sky.
-    if (!probe_.negative(DecisionKind::horizon, cosine)) s.ns = -s.ns;
-    const Block block = bounce_block(id_, 1, shared::BOUNCE_BSDF);
-    const Vec3<Real> local =
-        cosine_direction(block.number<Real>(shared::BSDF_U), block.number<Real>(shared::BSDF_V));
-    const Vec3<Real> d = probe_.nudged(s.frame(probe_).to_world(local));
-    probe_.at_ray(1);
-    return Vec3<Real>(rays_.occluded({s.origin_towards(d, 0, probe_), d}) ? 0 : 1);
-  }
-
-  [[nodiscard]] Vec3<Real> simple(const Ray<Real>& ray) {
-    const Hit<Real> hit = rays_.closest(ray);
-    if (hit.triangle == none) return Vec3<Real>(0);
-    const Surface<Real> s = rays_.surface_of(hit);
-    const Vec3<Real> position(integrator_.position);
-    const Vec3<Real> way = position - s.position;
-    const Vec3<Real> w = probe_.nudged(unit(way));
-    const Real cosine = glm::dot(s.ns, w);
-    if (!probe_.positive(DecisionKind::horizon, cosine)) return Vec3<Real>(0);
-    probe_.at_ray(1);
-    const Vec3<Real> origin = s.origin_towards(w, 0, probe_);
-    if (rays_.occluded({origin, probe_.nudged(position - origin), 0, 1})) return Vec3<Real>(0);
-    return Vec3<Real>(integrator_.energy) / (4 * pi<Real> * pi<Real>)*(cosine / glm::dot(way, way));
-  }
 
   /// MIS weight of a sample of density `used` where another strategy has density `other`: 1/(1 +
   /// r), r their ratio, or its square under the power heuristic (E. Veach, L. Guibas 1995).

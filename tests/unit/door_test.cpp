@@ -122,6 +122,20 @@ TEST(SceneMaker, warns_of_what_nobody_asked_for) {
   EXPECT_THROW((void)maker.scene({.strict = true}), Error);
 }
 
+TEST(LoadScene, reads_no_file_outside_the_assets) {
+  const TemporaryFolder folder;
+  folder.write("floor.obj", "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nf 1 2 3\n");
+  std::filesystem::create_directory(folder.file("in"));
+  const auto scene = folder.write("in/scene.xml", R"(<scene><camera type="perspective"/>
+<mesh type="obj"><string name="filename" value="../floor.obj"/></mesh></scene>)");
+  EXPECT_NE(load_scene(scene), nullptr);
+  EXPECT_NE(load_scene(scene, {.assets_below = folder.path()}), nullptr);
+  const Error error =
+      error_of([&] { return load_scene(scene, {.assets_below = folder.file("in")}); });
+  EXPECT_EQ(error.where().line, 2);
+  EXPECT_NE(std::string(error.what()).find("is not read"), std::string::npos);
+}
+
 TEST(Errors, tell_kind_and_place) {
   const TemporaryFolder folder;
   const auto file = folder.write("bad.xml", "<scene>\n<camera type=\"fisheye\"/>\n</scene>");
