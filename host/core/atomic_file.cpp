@@ -158,6 +158,11 @@ void AtomicFile::seek(std::uint64_t position) {
   if (::lseek(descriptor(), static_cast<off_t>(position), SEEK_SET) < 0) fail(errno);
 }
 
+bool AtomicFile::take_free_name() const {
+  return temporary_.empty() && ::linkat(AT_FDCWD, path_of(descriptor_).c_str(), AT_FDCWD,
+                                        target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
 void AtomicFile::name_temporary() {
   if (!temporary_.empty()) return;
   const std::string source = path_of(descriptor_);
@@ -175,10 +180,11 @@ void AtomicFile::commit() {
   // What cannot be synced, as a pipe, says EINVAL.
   if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
     fail(errno);
-  if (!in_place_) name_temporary();
+  const bool is_placed = in_place_ || take_free_name();
+  if (!is_placed) name_temporary();
   if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (in_place_) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  if (!is_placed && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   unfinished = nullptr;
   temporary_.clear();
   // The new name is lost in a crash until the folder is on the disk; not every file system lets a

@@ -10,7 +10,8 @@ namespace facet {
 /// Writes to a temporary file in the target's folder; commit() gives it the target's name once all
 /// of it is on the disk, the destructor removes what was not committed. What stood under that name
 /// stays as it was until then. Where the file system lets a file have no name, the temporary file
-/// has none before commit(), and a killed program leaves none. Elsewhere its name cannot be
+/// has none before commit(), and a killed program leaves none, unless it is killed between the two
+/// calls that put the file in another's place. Elsewhere its name cannot be
 /// guessed, no file or link of that name is followed, and those that a killed program left in the
 /// folder an hour ago or earlier are removed by commit(). A target that is a device or a pipe is
 /// written to directly, and stays.
@@ -49,6 +50,8 @@ class AtomicFile {
 
  private:
   [[noreturn]] void fail(int error);
+  /// Gives a file without a name that of the target, if nothing has that yet; says whether.
+  [[nodiscard]] bool take_free_name() const;
   /// Gives the temporary file a name, if it has none.
   void name_temporary();
 

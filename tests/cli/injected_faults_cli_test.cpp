@@ -45,6 +45,7 @@ class InjectedFaultsCliTest : public CliTest {
   std::map<std::string, int> count_calls(const Words& options) {
     Words variables = environment("none:0");
     variables.push_back("FACET_FAULT_COUNTS=" + folder_.file("counts").string());
+    write_old_outputs();
     const Result result = run(command(options), variables);
     EXPECT_EQ(result.code, 0) << result.err;
     image_ = folder_.read("a.png");

@@ -128,10 +128,10 @@ TEST(LoadScene, reads_no_file_outside_the_assets) {
   std::filesystem::create_directory(folder.file("in"));
   const auto scene = folder.write("in/scene.xml", R"(<scene><camera type="perspective"/>
 <mesh type="obj"><string name="filename" value="../floor.obj"/></mesh></scene>)");
-  EXPECT_NE(load_scene(scene), nullptr);
-  EXPECT_NE(load_scene(scene, {.assets_below = folder.path()}), nullptr);
+  EXPECT_NE(facet::load_scene(scene), nullptr);
+  EXPECT_NE(facet::load_scene(scene, {.assets_below = folder.path()}), nullptr);
   const Error error =
-      error_of([&] { return load_scene(scene, {.assets_below = folder.file("in")}); });
+      error_of([&] { return facet::load_scene(scene, {.assets_below = folder.file("in")}); });
   EXPECT_EQ(error.where().line, 2);
   EXPECT_NE(std::string(error.what()).find("is not read"), std::string::npos);
 }
