@@ -83,7 +83,10 @@ std::vector<BsdfCase> cases_of(T p) {
     T::declare(p, extreme);
     c.sampling = i % 2 == 0 ? LobeSampling::visible : LobeSampling::ndf;
     c.name += i % 2 == 0 ? " visible" : " ndf";
-    if constexpr (requires { p.flags(); }) c.transmits = (p.flags() & shared::BSDF_TRANSMITS) != 0;
+    if constexpr (requires { p.flags(); }) {
+      c.transmits = (p.flags() & shared::BSDF_TRANSMITS) != 0;
+      c.is_delta = (p.flags() & shared::BSDF_DELTA) != 0;
+    }
     c.bsdf = p;
     c.alpha = static_cast<double>(roughness_of(c.bsdf));
     c.ext_ior = index_of_side(c.bsdf, false);

@@ -19,6 +19,7 @@ struct BsdfCase {
   double ext_ior = 1;  ///< indices of refraction, 1 without
   double int_ior = 1;
   bool transmits = false;
+  bool is_delta = false;  ///< has delta lobes alone
 };
 
 /// Cases of the BSDF with that id, whose declared parameters take their extreme values, and some

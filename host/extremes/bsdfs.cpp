@@ -266,6 +266,10 @@ std::vector<Check> bsdf_checks() {
   for (std::size_t id = 0; id < bsdf_type_names.size(); ++id) {
     checks.push_back(value_check(id));
     checks.push_back(soundness_check(id));
+    // Delta lobes have no density.
+    const std::vector<BsdfCase> cases = bsdf_cases(id);
+    if (std::all_of(cases.begin(), cases.end(), [](const BsdfCase& c) { return c.is_delta; }))
+      continue;
     checks.push_back(density_check(id));
     checks.push_back(weight_check(id));
   }

@@ -17,6 +17,7 @@ TEST_P(Extremes, holds) {
       [](const extremes::Table& /*so_far*/) {});
   ASSERT_EQ(table.rows.size(), 1U);
   const extremes::Row& row = table.rows.front();
+  EXPECT_GT(row.finding.inputs, 0U) << row.check.name << " has tried nothing";
   EXPECT_FALSE(row.fails()) << row.check.name << ": " << row.finding.worst << " of "
                             << row.check.limit << " " << row.check.unit << " at " << row.finding.at;
   expect_silent_validation();
