@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "cli/exit_code.h"
 #include "core/atomic_file.h"
@@ -15,14 +16,19 @@ namespace facet::cli {
 
 namespace {
 
-/// Whether there are words for it: not before main() begins, nor where they need memory themselves.
+/// Whether there are words for it: not before main() begins.
 std::atomic<bool> can_tell{false};
+std::atomic<bool> is_ending{false};
+/// Whether this thread is ending the program: its words need memory themselves.
+thread_local bool is_ending_it = false;
 
 void write_error(std::string_view text) { (void)!::write(STDERR_FILENO, text.data(), text.size()); }
 
 [[noreturn, maybe_unused]] void end_for_want_of(std::size_t bytes) {
+  // The first to be refused tells; others wait until it has.
+  if (is_ending.exchange(true) && !is_ending_it) ::sleep(5);
   AtomicFile::remove_unfinished();
-  if (can_tell.exchange(false)) {
+  if (can_tell && !std::exchange(is_ending_it, true)) {
     write_error("facet: " + describe_lack(bytes) + '\n');
   } else {
     write_error("facet: out of memory\n");

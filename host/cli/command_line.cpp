@@ -95,7 +95,13 @@ void Command::text(const std::string& name, std::optional<std::string>& value,
 }
 
 void Command::path(const std::string& name, std::filesystem::path& value, const std::string& help) {
-  finish(app_->add_option(name, value, help)).default_str(value.string());
+  const auto set = [=, &value](const std::string& text) {
+    // As of a variable of a shell's that is not set: no rule would be the opposite of what is
+    // meant.
+    if (text.empty()) throw CLI::ValidationError(name, "an empty path");
+    value = text;
+  };
+  finish(app_->add_option_function<std::string>(name, set, help)).type_name("PATH");
 }
 
 void Command::optional_text(const std::string& name, std::optional<std::string>& value,

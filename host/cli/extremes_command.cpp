@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/backend_options.h"
@@ -44,6 +45,15 @@ std::vector<extremes::Check> chosen(const std::vector<std::string>& words) {
   return checks;
 }
 
+/// Failures are told, and no reason to stop: the next row may be written again.
+void keep(const std::string& file, const extremes::Table& so_far) {
+  try {
+    write_text(file, report::extremes_json(so_far).dump(1) + '\n');
+  } catch (const InputError& error) {
+    say("warning: {}\n", error.what());
+  }
+}
+
 ExitCode run_extremes(const ExtremesOptions& o) {
   check_outputs({}, {o.json, o.html});
   const std::vector<extremes::Check> checks = chosen(o.only);
@@ -52,13 +62,14 @@ ExitCode run_extremes(const ExtremesOptions& o) {
   const bool tells = o.json != "-";
   if (tells) put("{}, {}\n", backend.name(), backend.driver());
   // The whole table takes hours: its file holds at any time what has been found until then.
-  const bool keeps = tells && !o.json.empty();
+  std::error_code unknown;
+  const bool keeps = tells && !o.json.empty() && !std::filesystem::is_other(o.json, unknown);
   std::string group;
   const extremes::Table table = extremes::measure(
       backend, checks, o.quick,
       [](const extremes::Check& /*check*/, double /*done*/) { return !was_interrupted(); },
       [&](const extremes::Table& so_far) {
-        if (keeps) write_text(o.json, report::extremes_json(so_far).dump(1) + '\n');
+        if (keeps) keep(o.json, so_far);
         if (!tells) return;
         const extremes::Row& row = so_far.rows.back();
         if (row.check.group != group) put("\n{}\n", row.check.group);

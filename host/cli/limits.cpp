@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
+#include <csignal>
 #include <cstring>
 #include <thread>
 
@@ -55,6 +55,9 @@ void limit_time(double seconds) {
   std::thread([seconds, activity = Activity::watch()] {
     const double left = seconds - seconds_since_start();
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+    // Nor may a reader of the message be who does not read.
+    (void)std::signal(SIGALRM, SIG_DFL);
+    (void)::alarm(1);
     const std::string what = activity();
     say("facet: --limit-time {:g}: the time is over{}; what was not written by now is not\n",
         seconds, what.empty() ? "" : " while " + what);

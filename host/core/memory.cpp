@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <utility>
@@ -21,7 +22,7 @@ thread_local const Activity* innermost_activity = nullptr;
 
 /// The number after a word at the start of a line of a file of the system's, times `unit`; an empty
 /// word stands for the first line.
-std::optional<std::uint64_t> read_figure(const char* file, const std::string& word,
+std::optional<std::uint64_t> read_figure(const std::string& file, const std::string& word,
                                          std::uint64_t unit) {
   std::ifstream in(file);
   std::string line;
@@ -35,6 +36,29 @@ std::optional<std::uint64_t> read_figure(const char* file, const std::string& wo
     return static_cast<std::uint64_t>(*number) * unit;
   }
   return std::nullopt;
+}
+
+/// Where the files of this process's control group are, by the line of /proc/self/cgroup with that
+/// mark; `root` where there is none, or where the group is seen from inside, as in a container.
+std::string folder_of_group(const std::string& mark, const std::string& root, const char* file) {
+  std::ifstream in("/proc/self/cgroup");
+  std::string line;
+  while (std::getline(in, line)) {
+    const std::size_t at = line.find(mark);
+    if (at == std::string::npos) continue;
+    const std::string folder = root + line.substr(at + mark.size());
+    std::error_code unknown;
+    if (std::filesystem::exists(folder + "/" + file, unknown)) return folder;
+  }
+  return root;
+}
+
+/// What a control group uses, less what the system keeps of files and gives up when it is asked.
+std::optional<std::uint64_t> used_by_group(const std::string& usage, const std::string& statistics,
+                                           const std::string& kept) {
+  const auto used = read_figure(usage, "", 1);
+  if (!used) return std::nullopt;
+  return *used - std::min(*used, read_figure(statistics, kept, 1).value_or(0));
 }
 
 /// Narrows what is left by a limit and what is used of it, where both are known.
@@ -92,14 +116,23 @@ std::string describe_lack(std::uint64_t bytes) {
   return message;
 }
 
+std::optional<std::uint64_t> memory_limit() { return limit_of(RLIMIT_DATA); }
+
 std::optional<std::uint64_t> available_memory() {
   auto left = read_figure("/proc/meminfo", "MemAvailable:", 1024);
   // Of a container: control groups of version 2, and of version 1.
-  narrow(left, read_figure("/sys/fs/cgroup/memory.max", "", 1),
-         read_figure("/sys/fs/cgroup/memory.current", "", 1));
-  narrow(left, read_figure("/sys/fs/cgroup/memory/memory.limit_in_bytes", "", 1),
-         read_figure("/sys/fs/cgroup/memory/memory.usage_in_bytes", "", 1));
-  narrow(left, limit_of(RLIMIT_DATA), read_figure("/proc/self/status", "VmData:", 1024));
+  const std::string second = folder_of_group("0::", "/sys/fs/cgroup", "memory.max");
+  narrow(left, read_figure(second + "/memory.max", "", 1),
+         used_by_group(second + "/memory.current", second + "/memory.stat", "inactive_file "));
+  const std::string first =
+      folder_of_group(":memory:", "/sys/fs/cgroup/memory", "memory.limit_in_bytes");
+  narrow(left, read_figure(first + "/memory.limit_in_bytes", "", 1),
+         used_by_group(first + "/memory.usage_in_bytes", first + "/memory.stat",
+                       "total_inactive_file "));
+  // Some software drivers' memory is shared with nobody, and yet not counted as data.
+  auto data = read_figure("/proc/self/status", "VmData:", 1024);
+  if (data) *data += read_figure("/proc/self/status", "RssShmem:", 1024).value_or(0);
+  narrow(left, memory_limit(), data);
   narrow(left, limit_of(RLIMIT_AS), read_figure("/proc/self/status", "VmSize:", 1024));
   return left;
 }

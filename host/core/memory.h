@@ -43,6 +43,9 @@ class Activity {
 /// of an allocation that this thread has been refused.
 [[nodiscard]] std::string describe_lack(std::uint64_t bytes);
 
+/// Bytes of data that this process may have; nothing where there is no limit.
+[[nodiscard]] std::optional<std::uint64_t> memory_limit();
+
 /// Bytes that this process can still take: what the machine, its container and the process's own
 /// limits leave. Nothing where the system does not say.
 [[nodiscard]] std::optional<std::uint64_t> available_memory();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -37,10 +38,15 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   std::vector<std::jthread> threads;
   const Activity* activity = Activity::innermost();
   for (std::size_t i = 1; i < std::min(thread_count(), chunks); ++i) {
-    threads.emplace_back([&] {
-      Activity::adopt(activity);
-      work();
-    });
+    // Where there can be no more threads, fewer do it.
+    try {
+      threads.emplace_back([&work, activity] {
+        Activity::adopt(activity);
+        work();
+      });
+    } catch (const std::system_error&) {
+      break;
+    }
   }
   work();
   threads.clear();

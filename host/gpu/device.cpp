@@ -81,8 +81,12 @@ std::vector<std::string> Device::validation_messages() const {
 
 std::uint64_t Device::free_bytes() const {
   const std::uint64_t of_heap = info_.memory_bytes - *reserved_;
-  // A software driver's memory is the host's.
-  return is_cpu_ ? std::min(of_heap, available_memory().value_or(of_heap)) : of_heap;
+  if (!is_cpu_) return of_heap;
+  // A software driver's memory is the host's, whether or not the system counts it as this
+  // process's.
+  const std::uint64_t limit = memory_limit().value_or(info_.memory_bytes);
+  return std::min(
+      {of_heap, available_memory().value_or(of_heap), limit - std::min(limit, *reserved_)});
 }
 
 std::shared_ptr<void> Device::reserve(std::uint64_t bytes, const std::string& what) {

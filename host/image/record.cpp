@@ -209,22 +209,22 @@ std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   // Control characters would command the terminal that shows them.
-  const bool by_printf = std::ranges::any_of(word, is_control);
+  const bool by_printf = printable(word, word.size() + 1) != word;
+  const auto is_plain_byte = [](char c) { return c >= 0x20 && c < 0x7f; };
   std::string result = "'";
   for (const char c : word) {
     if (c == '\'') {
       result += "'\\''";
-    } else if (is_control(c)) {
-      result += fmt::format("\\{:03o}", static_cast<unsigned>(c));
+    } else if (by_printf && !is_plain_byte(c)) {
+      result += fmt::format("\\0{:03o}", static_cast<unsigned char>(c));
     } else {
-      if (by_printf && (c == '%' || c == '\\')) result += c;
+      if (by_printf && c == '\\') result += c;
       result += c;
     }
   }
   result += '\'';
-  return by_printf ? "\"$(printf " + result + ")\"" : result;
+  return by_printf ? "\"$(printf %b " + result + ")\"" : result;
 }
 
 std::string rerun_command(const RenderRecord& record, const ImageSize& size, int x, int y) {

@@ -54,7 +54,8 @@ struct ParsedRecord {
 /// The text of a key, nullptr if there is none.
 [[nodiscard]] const std::string* find_metadata(const Metadata& metadata, const std::string& key);
 
-/// A word as a POSIX shell reads it back: quoted where it must be.
+/// A word as a POSIX shell reads it back, but for ends of lines at its end: quoted where it must
+/// be.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
 /// The command that renders the pixel (x, y) of the whole image again, with the record's samples

@@ -88,6 +88,8 @@ TEST_F(LimitsCliTest, TheSceneAndTestsAreHeldToItAsWell) {
   expect_failure({"test", "test.xml", "--assets-below", "in"}, 2, {"test.xml: is not read"});
   expect_failure({"render", "scene.xml", "-o", "a.exr", "--assets-below", "none"}, 2,
                  {"none: no folder"});
+  expect_failure({"render", "scene.xml", "-o", "a.exr", "--assets-below", ""}, 2,
+                 {"--assets-below", "an empty path"});
   expect_failure({"render", "scene.xml", "-o", "a.exr", "--assets-below", "scene.xml"}, 2,
                  {"scene.xml: no folder"});
 }

@@ -143,7 +143,8 @@ TEST(ShellWord, is_quoted_where_it_must_be) {
   EXPECT_EQ(shell_word(""), "''");
   EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
   // A shell reads them back.
-  for (const std::string word : {"it's\x1b[31m %d \\033 \n\"$HOME`", "\x7f", "50 %\t\\"}) {
+  for (const std::string word :
+       {"it's\x1b[31m %d \\033 \n\"$HOME`", "\x7f", "50 %\t\\", "-\x01 a", "\xc2\x9b \xc3\xa9"}) {
     const std::string text = shell_word(word);
     EXPECT_TRUE(std::ranges::none_of(
         text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }));

@@ -19,7 +19,8 @@ namespace {
 /// A file that another one names, whatever separates its folders.
 std::filesystem::path beside(const std::filesystem::path& folder, std::string_view name) {
   const std::filesystem::path path = folder / trimmed(name);
-  if (std::filesystem::exists(path)) return path;
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown)) return path;
   std::string slashed(trimmed(name));
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   return folder / slashed;
