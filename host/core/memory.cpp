@@ -46,7 +46,7 @@ std::string folder_of_group(const std::string& mark, const std::string& root, co
   while (std::getline(in, line)) {
     const std::size_t at = line.find(mark);
     if (at == std::string::npos) continue;
-    const std::string folder = root + line.substr(at + mark.size());
+    std::string folder = root + line.substr(at + mark.size());
     std::error_code unknown;
     if (std::filesystem::exists(folder + "/" + file, unknown)) return folder;
   }
@@ -110,9 +110,10 @@ std::string describe_lack(std::uint64_t bytes) {
   if (!left) return message;
   message += fmt::format(", {} are left", size(*left));
   if (activity != nullptr && activity->bytes_each() > 0)
-    message += fmt::format("; about {} {} fit",
-                           with_unit_prefix(static_cast<double>(*left / activity->bytes_each())),
-                           activity->unit());
+    message += fmt::format(
+        "; about {} {} fit",
+        with_unit_prefix(static_cast<double>(*left) / static_cast<double>(activity->bytes_each())),
+        activity->unit());
   return message;
 }
 

@@ -91,8 +91,8 @@ class InjectedFaultsCliTest : public CliTest {
                     const std::string& how = "") const {
     const int step = every_fault() ? 1 : std::max(1, (calls + wanted - 1) / wanted);
     for (int call = 1; call <= calls; call += step)
-      expect_well_told(name + ":" + std::to_string(call) + how, options);
-    if (calls > 1) expect_well_told(name + ":" + std::to_string(calls) + how, options);
+      expect_well_told(fmt::format("{}:{}{}", name, call, how), options);
+    if (calls > 1) expect_well_told(fmt::format("{}:{}{}", name, calls, how), options);
   }
 
   [[nodiscard]] bool exists(const char* name) const {

@@ -97,7 +97,7 @@ Function* next_of(const char* name) {
 
 extern "C" {
 
-void* __libc_malloc(std::size_t);
+void* __libc_malloc(std::size_t);  // NOLINT: glibc's name
 
 void* malloc(std::size_t bytes) {
   if (fault_of(malloc_call, CALLER) != nullptr) {
