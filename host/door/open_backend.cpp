@@ -13,8 +13,8 @@ Film Backend::render(const ScenePtr& scene, const RenderRequest& request) {
 }
 
 std::unique_ptr<TestableBackend> open_testable_backend(const BackendOptions& options) {
-  const Activity activity("opening the device");
   if (options.reference) return reference::make_backend(*options.reference);
+  const Activity activity("opening the device");
   return std::make_unique<KernelBackend>(options.device, options.validate);
 }
 

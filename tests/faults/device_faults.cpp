@@ -61,20 +61,26 @@ std::array<PFN_vkVoidFunction, function_count> next_functions{};
 PFN_vkGetInstanceProcAddr next_instance_proc = nullptr;
 PFN_vkGetDeviceProcAddr next_device_proc = nullptr;
 
+constexpr std::array<VkResult, function_count> usual_results{
+#define X(name, result) result,
+    FUNCTIONS(X)
+#undef X
+};
+
 /// The result of the call where it is to fail, else VK_SUCCESS.
-VkResult fault_of(Function function, VkResult usual) {
+VkResult fault_of(Function function) {
   const char* how = counters[function].next();
   if (how == nullptr) return VK_SUCCESS;
-  return *how != '\0' ? static_cast<VkResult>(std::atoi(how)) : usual;
+  return *how != '\0' ? static_cast<VkResult>(std::atoi(how)) : usual_results[function];
 }
 
 /// A function with a call counted, and refused where it is the one.
-template <Function function, VkResult usual, typename Pointer>
+template <Function function, typename Pointer>
 struct Counted;
-template <Function function, VkResult usual, typename... Arguments>
-struct Counted<function, usual, VkResult (*)(Arguments...)> {
+template <Function function, typename... Arguments>
+struct Counted<function, VkResult (*)(Arguments...)> {
   static VkResult call(Arguments... arguments) {
-    if (const VkResult result = fault_of(function, usual); result != VK_SUCCESS) return result;
+    if (const VkResult result = fault_of(function); result != VK_SUCCESS) return result;
     return reinterpret_cast<VkResult (*)(Arguments...)>(next_functions[function])(arguments...);
   }
 };
@@ -90,9 +96,7 @@ Info* take_link(const CreateInfo* create, VkStructureType type) {
 
 VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationCallbacks* allocator,
                          VkInstance* instance) {
-  if (const VkResult result = fault_of(of_vkCreateInstance, VK_ERROR_OUT_OF_HOST_MEMORY);
-      result != VK_SUCCESS)
-    return result;
+  if (const VkResult result = fault_of(of_vkCreateInstance); result != VK_SUCCESS) return result;
   auto* info =
       take_link<VkLayerInstanceCreateInfo>(create, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
   next_instance_proc = info->u.pLayerInfo->pfnNextGetInstanceProcAddr;
@@ -103,9 +107,7 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
 
 VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* create,
                        const VkAllocationCallbacks* allocator, VkDevice* device) {
-  if (const VkResult result = fault_of(of_vkCreateDevice, VK_ERROR_INITIALIZATION_FAILED);
-      result != VK_SUCCESS)
-    return result;
+  if (const VkResult result = fault_of(of_vkCreateDevice); result != VK_SUCCESS) return result;
   auto* info =
       take_link<VkLayerDeviceCreateInfo>(create, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
   const auto instance_proc = info->u.pLayerInfo->pfnNextGetInstanceProcAddr;
@@ -126,11 +128,10 @@ PFN_vkVoidFunction own_function(const char* name, VkDevice device) {
   if (is("vkCreateInstance")) return reinterpret_cast<PFN_vkVoidFunction>(create_instance);
   if (is("vkCreateDevice")) return reinterpret_cast<PFN_vkVoidFunction>(create_device);
   if (device == VK_NULL_HANDLE) return nullptr;
-#define X(function, result)                                         \
-  if (is(#function)) {                                              \
-    next_functions[of_##function] = next_device_proc(device, name); \
-    return reinterpret_cast<PFN_vkVoidFunction>(                    \
-        Counted<of_##function, result, PFN_##function>::call);      \
+#define X(function, result)                                                                    \
+  if (is(#function)) {                                                                         \
+    next_functions[of_##function] = next_device_proc(device, name);                            \
+    return reinterpret_cast<PFN_vkVoidFunction>(Counted<of_##function, PFN_##function>::call); \
   }
   FUNCTIONS(X)
 #undef X

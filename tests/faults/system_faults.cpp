@@ -116,25 +116,20 @@ ssize_t write(int descriptor, const void* data, std::size_t bytes) {
   return next(descriptor, data, bytes);
 }
 
-int open(const char* path, int flags, ...) {
-  static auto* const next = next_of<int(const char*, int, mode_t)>("open");
-  if (const char* how = fault_of(open_call, CALLER)) return refuse(how, EMFILE);
-  va_list list;
-  va_start(list, flags);
-  const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(list, mode_t) : 0;
-  va_end(list);
-  return next(path, flags, mode);
-}
-
-int open64(const char* path, int flags, ...) {
-  static auto* const next = next_of<int(const char*, int, mode_t)>("open64");
-  if (const char* how = fault_of(open_call, CALLER)) return refuse(how, EMFILE);
-  va_list list;
-  va_start(list, flags);
-  const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(list, mode_t) : 0;
-  va_end(list);
-  return next(path, flags, mode);
-}
+// Programs call one or the other, by the size of a file's positions.
+#define DEFINE_OPEN(name)                                                                \
+  int name(const char* path, int flags, ...) {                                           \
+    static auto* const next = next_of<int(const char*, int, mode_t)>(#name);             \
+    if (const char* how = fault_of(open_call, CALLER)) return refuse(how, EMFILE);       \
+    va_list list;                                                                        \
+    va_start(list, flags);                                                               \
+    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(list, mode_t) : 0; \
+    va_end(list);                                                                        \
+    return next(path, flags, mode);                                                      \
+  }
+DEFINE_OPEN(open)
+DEFINE_OPEN(open64)
+#undef DEFINE_OPEN
 
 int fsync(int descriptor) {
   static auto* const next = next_of<decltype(fsync)>("fsync");
