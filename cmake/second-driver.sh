@@ -12,14 +12,10 @@
 # or what COMMAND returns.
 set -eu
 
+program=second-driver
 package=mesa-vulkan-drivers
-keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-
-say() { echo "second-driver: $*" >&2; }
-none() {
-  say "$*"
-  exit 77
-}
+# shellcheck source=cmake/unpacked-packages.sh
+. "$(dirname "$0")/unpacked-packages.sh"
 
 # The version of the system's own driver, 0 where there is none.
 system_version() {
@@ -30,109 +26,20 @@ system_version() {
 
 require_newer() {
   dpkg --compare-versions "$1" gt "$(system_version)" ||
-    none "the system's own Mesa, $(system_version), is not older than $codename-backports' $1"
+    none "the system's own Mesa, $(system_version), is not older than $suite's $1"
 }
 
-# Whether $driver is there and undamaged.
-is_whole() { (cd "$driver" && sha256sum --strict --check sums) >/dev/null 2>&1; }
-
-# Mirrors of this release that apt is configured with, in either format of its sources.
-mirrors() {
-  # shellcheck disable=SC2016
-  apt-get --no-release-info indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' \
-    'Created-By: Packages' |
-    awk -v codename="$codename" '
-      ($1 == codename || $1 ~ /^(old)*stable$/) && $2 == "main" && !seen[$3]++ { print $3 }'
-}
-
-# apt's settings beyond the system's: lists and archives of our own, no sources but $part/sources,
-# nothing that needs root.
-write_apt_settings() {
-  mkdir -p "$part/lists/partial" "$part/cache/archives/partial"
-  cat >"$part/apt.conf" <<END
-Dir::Etc::SourceList "$part/sources";
-Dir::Etc::SourceParts "/dev/null";
-Dir::Etc::Preferences "/dev/null";
-Dir::Etc::PreferencesParts "/dev/null";
-Dir::State::Lists "$part/lists";
-Dir::Cache "$part/cache";
-APT::Default-Release "$codename-backports";
-APT::Sandbox::User "root";
-APT::Get::AllowUnauthenticated "false";
-Acquire::GzipIndexes "false";
-Acquire::AllowInsecureRepositories "false";
-Acquire::AllowWeakRepositories "false";
-Acquire::AllowDowngradeToInsecureRepositories "false";
-Debug::NoLocking "true";
-Acquire::Retries "2";
-Acquire::http::Timeout "20";
-Acquire::https::Timeout "20";
-END
-}
-
-own_apt_get() { apt-get -c "$part/apt.conf" -q -y "$@" >"$part/log" 2>&1 </dev/null; }
-
-# The first thing that apt complained about.
-complaint() { sed -n 's/^[EW]: //p' "$part/log" | head -n 1; }
-
-# Gets the lists of the first mirror that has backports.
-update_lists() {
-  options=
-  if [ -f "$keyring" ]; then options="[signed-by=$keyring] "; fi
-  for mirror in $(mirrors); do
-    printf 'deb %s%s %s main\n' "$options" "$mirror" "$codename" \
-      "$options" "$mirror" "$codename-backports" >"$part/sources"
-    if own_apt_get update --error-on=any; then return; fi
-    say "$(complaint)"
-  done
-  none "no mirror that apt is configured with gave the lists of $codename-backports:" \
-    "is there a network, and are there backports?"
-}
-
-# Downloads the package and those of its dependencies that this system lacks or has too old.
-download() {
+# Makes the folder $part/kept: lavapipe, those of its libraries that came along, the ICD file, and
+# the version.
+fetch_driver() {
   write_apt_settings
   update_lists
-  version=$(apt-cache -c "$part/apt.conf" policy "$package" |
-    awk '$1 == "Candidate:" && $2 != "(none)" { print $2 }')
-  [ -n "$version" ] || none "$codename-backports has no $package"
+  version=$(candidate "$package")
+  [ -n "$version" ] || none "$suite has no $package"
   require_newer "$version"
-  say "downloading $package $version"
-  own_apt_get install --download-only --no-install-recommends "$package" ||
-    none "cannot download $package $version: $(complaint)"
-}
-
-# Whether the archive has signed the lists, and the packages are those of the lists. apt has looked
-# at both already, but by settings and keys of the system's, which may be lax.
-check_signed() {
-  if [ ! -f "$keyring" ] || ! command -v gpgv >/dev/null; then
-    say "cannot check the archive's signature (gpgv and $keyring are needed): as safe as apt" \
-      "is here"
-    return
-  fi
-  for release in "$part"/lists/*InRelease; do
-    # What stands outside of the signed text counts for nothing.
-    gpgv --keyring "$keyring" --output "$release.signed" "$release" >"$part/log" 2>&1 ||
-      none "the archive's lists are not signed by a key of $keyring: $(tail -n 1 "$part/log")"
-  done
-  for index in "$part"/lists/*_Packages; do
-    hash=$(sha256sum "$index" | cut -d ' ' -f 1)
-    grep -q "^ $hash " "$part"/lists/*InRelease.signed ||
-      none "$(basename "$index") has not the hash that the archive has signed"
-  done
-  for archive in "$part"/cache/archives/*.deb; do
-    hash=$(sha256sum "$archive" | cut -d ' ' -f 1)
-    name=$(dpkg-deb -f "$archive" Package)
-    apt-cache -c "$part/apt.conf" show "$name" | grep -qx "SHA256: $hash" ||
-      none "$(basename "$archive") has not the hash that the archive has signed"
-  done
-  say "the downloads have the hashes that the archive has signed"
-}
-
-# Turns the downloaded packages into the folder $part/driver: lavapipe and those of its libraries
-# that came along, the ICD file, the version, and the checksums of all.
-unpack() {
-  mkdir "$part/root" "$part/driver"
+  download "$package"
+  check_signed
+  mkdir "$part/root" "$part/kept"
   for archive in "$part"/cache/archives/*.deb; do dpkg-deb -x "$archive" "$part/root"; done
   lavapipe=$(find "$part/root" -name libvulkan_lvp.so | head -n 1)
   [ -n "$lavapipe" ] || none "$package $version holds no lavapipe"
@@ -141,42 +48,14 @@ unpack() {
   missing=$(awk '/not found/ { print $1 }' "$part/libraries" | tr '\n' ' ')
   [ -z "$missing" ] || none "$package $version needs what this system lacks: $missing"
   for library in libvulkan_lvp.so $(awk '$3 ~ /^\.\// { print $1 }' "$part/libraries"); do
-    cp "$library" "$part/driver"
+    cp "$library" "$part/kept"
   done
-  cd "$part/driver"
+  cd "$part/kept"
   cat >icd.json <<END
 {"file_format_version": "1.0.0",
  "ICD": {"library_path": "./libvulkan_lvp.so", "api_version": "1.3.0"}}
 END
   echo "$version" >version
-  sha256sum -- * >../sums
-  mv ../sums .
-}
-
-# Fetches the driver unless another call has done so meanwhile. Nothing counts before the last line:
-# an interrupted call leaves no driver, and the next one begins anew.
-fetch() {
-  if is_whole; then return; fi
-  rm -rf "$part"
-  mkdir "$part"
-  trap 'rm -rf "$part"' EXIT
-  trap 'exit 130' INT TERM HUP
-  download
-  check_signed
-  unpack
-  rm -rf "$driver"
-  mv "$part/driver" "$driver"
-}
-
-prepare() {
-  if is_whole; then return; fi
-  mkdir -p "$cache" 2>/dev/null || true
-  [ -w "$cache" ] || none "cannot write to $cache; FACET_SECOND_DRIVER names another folder"
-  # One call at a time; the lock goes with its holder, however that ends.
-  (
-    flock 9
-    fetch
-  ) 9>"$cache/lock"
 }
 
 case ${1:-} in
@@ -186,30 +65,23 @@ case ${1:-} in
     exit 2
     ;;
 esac
-for tool in apt-get dpkg dpkg-deb flock sha256sum ldd; do
-  command -v "$tool" >/dev/null ||
-    none "$tool is missing: only Debian's backports are known as a source"
-done
-# shellcheck source=/dev/null
-codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
-[ -n "$codename" ] || none "/etc/os-release names no release of Debian"
 cache=${FACET_SECOND_DRIVER:-${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/facet/second-driver}
-case $cache in /*) ;; *) cache=$PWD/$cache ;; esac
-driver=$cache/$codename-$(dpkg --print-architecture)
-part=$driver.part
+variable=FACET_SECOND_DRIVER
+open_cache
+suite=$codename-backports
 
 if [ "$1" = --check ]; then
   is_whole || none "not prepared; sh cmake/second-driver.sh --prepare fetches it"
 else
-  prepare
+  prepare fetch_driver
 fi
-version=$(cat "$driver/version")
+version=$(cat "$kept/version")
 require_newer "$version"
 case $1 in
-  --check | --prepare) echo "$package $version in $driver" ;;
+  --check | --prepare) echo "$package $version in $kept" ;;
   *)
-    export VK_DRIVER_FILES="$driver/icd.json" VK_ICD_FILENAMES="$driver/icd.json"
-    export LD_LIBRARY_PATH="$driver${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+    export VK_DRIVER_FILES="$kept/icd.json" VK_ICD_FILENAMES="$kept/icd.json"
+    export LD_LIBRARY_PATH="$kept${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
     exec "$@"
     ;;
 esac

@@ -13,6 +13,7 @@
 #include "door/warnings.h"
 #include "image/record.h"
 #include "parts/checkpoint.h"
+#include "parts/missing.h"
 #include "render/features.h"
 #include "render/pack/packed_scene.h"
 #include "scene/manuals.h"
@@ -85,13 +86,22 @@ std::string describe(const Emitter& emitter, const Scene& scene) {
   return fmt::format("environment {} x {}", sky.width, sky.height);
 }
 
+/// ", part 3 of 16 of tile 1 of 4" of what is divided into several; nothing for other parts.
+std::string describe_share(const PartFile& part) {
+  if (!part.record.division) return "";
+  const Division& d = *part.record.division;
+  const auto share = find_share(d, part.record.samples.hull(), part.pixels());
+  if (!share || part.record.samples.list().size() > 1) return "";
+  return ", " + describe({*share}, d);
+}
+
 /// What continues or follows a render whose image this is.
 void print_what_next(const PartFile& part) {
   if (is_checkpoint(part.header)) {
     put("a checkpoint, after {}; this continues it:\n  {}\n", describe_progress(part),
         continue_command(part));
   } else if (part.has_channel("sum.R")) {
-    put("a part: facet merge joins it with other samples of this render\n");
+    put("a part{}: facet merge joins it with others of this render\n", describe_share(part));
   } else if (part.record.stopped_by == StoppedBy::interrupt) {
     put("an image of a render that was interrupted\n");
   } else {

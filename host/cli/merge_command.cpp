@@ -1,4 +1,4 @@
-// facet merge: one image from renders of disjoint sample ranges.
+// facet merge: one image from renders of parts of its samples and of its pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,9 @@
 #include "core/print.h"
 #include "core/text.h"
 #include "core/text_file.h"
+#include "parts/find_parts.h"
 #include "parts/merge.h"
+#include "parts/missing.h"
 #include "parts/part.h"
 
 namespace facet::cli {
@@ -37,8 +39,10 @@ class MergeJob {
 
   ExitCode run() {
     check_outputs(options_.outputs, {options_.json});
-    parts_ = open_parts(options_.parts);
-    check_png_size(options_.outputs, parts_.parts[0].header.width, parts_.parts[0].header.height);
+    files_ = find_parts(options_.parts, options_.outputs);
+    parts_ = open_parts(files_);
+    const Crop pixels = parts_.pixels();
+    check_png_size(options_.outputs, pixels.x1 - pixels.x0, pixels.y1 - pixels.y0);
     check_parts_survive();
     check_gaps();
     check_squares();
@@ -60,7 +64,7 @@ class MergeJob {
     for (const std::string& file : options_.outputs) {
       if (!is_exr(file)) others.push_back(file);
     }
-    check_no_input_is_written(others, {options_.parts.begin(), options_.parts.end()});
+    check_no_input_is_written(others, {files_.begin(), files_.end()});
   }
 
   void check_gaps() const {
@@ -72,12 +76,19 @@ class MergeJob {
       range = asked->hull();
       check_inside(parts_, *range);
     }
-    if (!options_.allow_gaps) check_whole(parts_, range);
+    if (!options_.allow_gaps && !range) print_missing();
+    check_whole(parts_, range, options_.allow_gaps);
+  }
+
+  /// The commands that render what no part holds.
+  void print_missing() const {
+    for (const TileShare& share : missing_shares(parts_))
+      say("missing: {}\n", share_command(parts_, share));
   }
 
   void check_squares() const {
-    const std::vector<PartFile>& parts = parts_.parts;
-    const auto lacks = [](const PartFile& part) { return !part.has_squares(); };
+    const std::vector<PartEntry>& parts = parts_.parts;
+    const auto lacks = [](const PartEntry& part) { return !part.has_squares; };
     const auto without = std::find_if(parts.begin(), parts.end(), lacks);
     if (without == parts.end()) return;
     if (wants_variance(options_.aovs)) {
@@ -97,9 +108,9 @@ class MergeJob {
     json.update({
         {"width", film_.width},
         {"height", film_.height},
-        {"missing", parts_.missing().text()},
+        {"missing", missing().text()},
         {"seconds", {{"render", record.seconds}, {"total", seconds_since_start()}}},
-        {"parts", options_.parts},
+        {"parts", files_},
         {"output", written_},
     });
     if (film_.has_squares) {
@@ -110,15 +121,22 @@ class MergeJob {
   }
 
   void print_summary() const {
-    const SampleRanges missing = parts_.missing();
+    const SampleRanges gaps = missing();
     const std::size_t count = parts_.parts.size();
-    say("{}: {} part{} of {}x{} pixels, {} samples each ({}{})\n", film_.record.scene, count,
-        count == 1 ? "" : "s", film_.width, film_.height, parts_.samples.count(),
-        parts_.samples.text(), missing.empty() ? "" : "; missing: " + missing.text());
+    const std::size_t tiles = parts_.tiles.size();
+    say("{}: {} part{}{} of {}x{} pixels, {} samples each ({}{})\n", film_.record.scene, count,
+        count == 1 ? "" : "s", tiles == 1 ? "" : fmt::format(" in {} tiles", tiles), film_.width,
+        film_.height, film_.record.samples.count(), film_.record.samples.text(),
+        gaps.empty() ? "" : "; missing: " + gaps.text());
     say("wrote {}\n", fmt::join(written_, " and "));
   }
 
+  [[nodiscard]] SampleRanges missing() const {
+    return film_.record.samples.missing_in(parts_.whole_samples());
+  }
+
   const MergeOptions& options_;
+  std::vector<std::string> files_;
   PartSet parts_;
   Film film_;
   ErrorEstimate error_;
@@ -131,9 +149,11 @@ class MergeJob {
 void add_merge_command(CommandLine& line) {
   const auto options = std::make_shared<MergeOptions>();
   MergeOptions& o = *options;
-  Command command = line.add("merge", "Join renders of disjoint sample ranges");
+  Command command =
+      line.add("merge", "Join renders of parts of the samples, and of tiles of the image");
   command.arguments("parts", o.parts,
-                    "EXR files that facet render --sample-range or facet merge wrote");
+                    "EXR files that facet render --part, --tile or --sample-range, or facet merge "
+                    "wrote; folders of them, and patterns such as 'parts/*.exr'");
   command.texts("-o,--output", o.outputs,
                 "Image to write, .exr or .png; may be repeated. An EXR is a part again", true);
   command.text("--sample-range", o.sample_range,

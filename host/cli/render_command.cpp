@@ -201,7 +201,7 @@ class RenderJob {
     // What a part holds does not depend on who looked on.
     film.has_squares = with_variance;
     outcome.image =
-        request_.sample_range ? make_part(film, with_variance) : develop(film, with_variance);
+        settings_.is_part ? make_part(film, with_variance) : develop(film, with_variance);
     if (with_error) outcome.image = with_errors(outcome.image, errors);
   }
 

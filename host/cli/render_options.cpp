@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <limits>
 
+#include "cli/array_jobs.h"
 #include "cli/outputs.h"
 #include "cli/reading_options.h"
 #include "core/text.h"
 #include "core/words.h"
+#include "image/division.h"
 
 namespace facet::cli {
 
@@ -85,9 +87,16 @@ void add_render_options(Command& command, RenderOptions& o) {
   command.describe("--sample-range",
                    "Render only the samples A:B of each pixel (B excluded); their EXR is a part, "
                    "which facet merge joins with others");
+  command.text(
+      "--part", o.part,
+      "Render only the share I/N of the samples, I from 1 on; or ENGINE or ENGINE/N, whose "
+      "environment tells I: " +
+          engine_names());
+  command.text("--tile", o.tile,
+               "Render only the share I/N of the rows of the image, I from 1 on; likewise");
   command.texts("-o,--output", o.outputs,
                 "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png "
-                "here");
+                "here; of a part or a tile an EXR with its number");
   add_backend_options(command, o.backend);
   command.text(
       "--error", o.error,
@@ -127,6 +136,8 @@ RenderRequest make_request(const RenderOptions& o) {
     const auto v = parse_integers<2>(*o.sample_range, ':', "--sample-range", "A:B");
     request.sample_range = {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1])};
   }
+  if (o.part) request.part = read_share(*o.part, "--part");
+  if (o.tile) request.tile = read_share(*o.tile, "--tile");
   if (o.resume && !o.checkpoint)
     throw InputError("--resume: --checkpoint FILE.exr, from which to continue, is needed");
   if (o.error) request.error = parse_relative_error(*o.error, "--error");
@@ -154,6 +165,8 @@ std::vector<std::string> output_files(const RenderOptions& o) {
   std::vector<std::string> files = o.outputs;
   if (files.empty() && !o.pixel) {
     const std::string stem = std::filesystem::path(o.scene).stem().string();
+    const RenderRequest request = make_request(o);
+    if (request.part || request.tile) return {share_file(stem, request.part, request.tile)};
     files = {stem + ".exr", stem + ".png"};
   }
   return files;

@@ -19,6 +19,8 @@ struct RenderOptions {
   std::optional<std::string> crop;
   std::optional<std::string> pixel;
   std::optional<std::string> sample_range;
+  std::optional<std::string> part;
+  std::optional<std::string> tile;
   std::optional<std::string> error;
   std::optional<double> time;  ///< seconds, of the whole process
   std::optional<std::string> checkpoint;

@@ -27,7 +27,7 @@ void write_image(const std::filesystem::path& path, const Film& film, const Writ
 
 Film merge_parts(const std::vector<std::string>& files) {
   const PartSet set = open_parts(files);
-  check_whole(set, std::nullopt);
+  check_whole(set, std::nullopt, false);
   return merge(set);
 }
 

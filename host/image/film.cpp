@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/memory.h"
 #include "image/record.h"
@@ -52,17 +53,25 @@ Image with_channels(const Image& image, const std::vector<std::string>& more) {
 }
 
 void add_samples(Film& film, const Film& more) {
-  film.has_squares = film.has_squares && more.has_squares;
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    PixelSums& sums = film.pixels[i];
-    const PixelSums& added = more.pixels.at(i);
-    for (std::size_t c = 0; c < 3; ++c) {
-      sums.values[c] += added.values[c];
-      sums.squares[c] += added.squares[c];
+  const int x = more.window.x - film.window.x;
+  const int y = more.window.y - film.window.y;
+  if (!film.holds(x, y) || !film.holds(x + more.width - 1, y + more.height - 1))
+    throw std::logic_error("samples for pixels that the film does not have");
+  if (film.has_squares && !more.has_squares) {
+    film.has_squares = false;
+    for (PixelSums& sums : film.pixels) sums.squares = {};
+  }
+  for (int row = 0; row < more.height; ++row) {
+    PixelSums* sums = &film.pixels[film.index(x, y + row)];
+    const PixelSums* added = &more.pixels[more.index(0, row)];
+    for (int i = 0; i < more.width; ++i, ++sums, ++added) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        sums->values[c] += added->values[c];
+        if (film.has_squares) sums->squares[c] += added->squares[c];
+      }
+      sums->samples += added->samples;
+      sums->nonzero += added->nonzero;
     }
-    if (!film.has_squares) sums.squares = {};
-    sums.samples += added.samples;
-    sums.nonzero += added.nonzero;
   }
 }
 

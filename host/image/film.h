@@ -7,7 +7,8 @@ namespace facet {
 /// All sums zero. window: where the film lies in the whole image.
 [[nodiscard]] Film make_film(int width, int height, const ImageWindow& window, bool with_squares);
 
-/// Adds the samples of a film of the same size. The sum keeps squares only if both have them.
+/// Adds the samples of a film whose pixels are among those of the first, by their windows. The sum
+/// keeps squares only if both have them.
 void add_samples(Film& film, const Film& more);
 
 /// Variance of the mean of n samples from the sums of values and of squares; 0 for fewer than two

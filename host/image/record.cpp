@@ -10,6 +10,7 @@
 
 #include "core/text.h"
 #include "core/words.h"
+#include "image/division.h"
 
 namespace facet {
 
@@ -141,6 +142,14 @@ constexpr std::array fields{
                 "the number of facet.samples",
                 [](const R& r) -> Text { return fmt::format("{}", r.samples.count()); },
                 [](R& r, const std::string& t) { return parse_integer(t) == r.samples.count(); }},
+    RecordField{
+        "facet.division", "division", false, nullptr, "division", false,
+        "N parts of A:B, N tiles of X0,Y0,X1,Y1",
+        [](const R& r) -> Text { return r.division ? Text(division_text(*r.division)) : Text(); },
+        [](R& r, const std::string& t) {
+          r.division = parse_division(t);
+          return r.division.has_value();
+        }},
     RecordField{"facet.adaptive", "adaptive", true, nullptr, "adaptive sampling", true, "true",
                 [](const R& r) -> Text { return r.adaptive ? Text("true") : Text(); },
                 [](R& r, const std::string& t) { return r.adaptive = t == "true"; }},
@@ -247,6 +256,18 @@ std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int
   }
   // A name may begin with a minus.
   return command + " -- " + shell_word(record.scene);
+}
+
+std::string setting_options(const RenderRecord& record, std::string_view without) {
+  std::string options;
+  for (const RecordField& field : fields) {
+    const bool said = field.option != nullptr && field.common && is_chosen(field, record) &&
+                      field.option != without;
+    const Text value = said ? field.read(record) : Text();
+    // Joined by =, since a value may begin with a minus.
+    if (value) options += fmt::format(" {}={}", field.option, shell_word(*value));
+  }
+  return options;
 }
 
 std::vector<std::string> options_between(const RenderRecord& from, const RenderRecord& to) {

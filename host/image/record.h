@@ -67,6 +67,10 @@ struct ParsedRecord {
 [[nodiscard]] std::string rerun_command(const ParsedRecord& parsed, const ImageSize& size, int x,
                                         int y);
 
+/// The options of `facet render` that say again what all shares of a render have in common, each
+/// behind a blank; but for one option.
+[[nodiscard]] std::string setting_options(const RenderRecord& record, std::string_view without);
+
 /// The options of `facet render` that make the one render of the other, word by word; samples of
 /// their own are named, if any.
 [[nodiscard]] std::vector<std::string> options_between(const RenderRecord& from,

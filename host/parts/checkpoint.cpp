@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "image/division.h"
 #include "image/film.h"
 #include "image/film_words.h"
 #include "image/record.h"
@@ -217,7 +218,10 @@ RenderState read_checkpoint(const std::string& file) {
 }
 
 void check_continues(const RenderState& saved, const std::string& file, const RenderState& own) {
-  check_same_render(described(saved, file), described(own, "this render"));
+  const PartFile part = described(saved, file);
+  const PartFile other = described(own, "this render");
+  check_same_render(part, other);
+  check_same_pixels(part, other);
   const auto range = [](const RenderState& s) {
     return fmt::format("{}:{}", s.first, std::uint64_t{s.first} + s.most);
   };
@@ -244,18 +248,23 @@ std::string continue_command(const PartFile& checkpoint) {
   const RenderState state = numbers_of(checkpoint);
   const ExrHeader& h = checkpoint.header;
   const RenderRecord& record = checkpoint.record;
-  std::string command =
-      fmt::format("facet render --resolution={}x{}", h.window.full_width, h.window.full_height);
-  if (h.width != h.window.full_width || h.height != h.window.full_height)
-    command += fmt::format(" --crop={},{},{},{}", h.window.x, h.window.y, h.window.x + h.width,
-                           h.window.y + h.height);
-  for (const RecordField& field : record_fields()) {
-    const bool said = field.option != nullptr && field.common && is_chosen(field, record);
-    const auto value = said ? field.read(record) : std::nullopt;
-    if (value) command += fmt::format(" {}={}", field.option, shell_word(*value));
+  const ImageSize size{h.window.full_width, h.window.full_height};
+  const SampleRange samples{state.first, state.first + state.most};
+  const auto share =
+      record.division ? find_share(*record.division, samples, checkpoint.pixels()) : std::nullopt;
+  std::string command = "facet render";
+  if (share) {
+    command += share_options(*record.division, *share, size) + setting_options(record, "--spp");
+  } else {
+    command += fmt::format(" --resolution={}x{}", size.width, size.height);
+    if (h.width != size.width || h.height != size.height)
+      command += " --crop=" + crop_text(checkpoint.pixels());
+    command += setting_options(record, "");
   }
   const bool open_ended = state.error || state.timed;
-  if (state.first > 0) {
+  if (share) {
+    // It has said which samples.
+  } else if (state.first > 0) {
     command += fmt::format(" --sample-range={}:{}", state.first, state.first + state.most);
   } else if (!record.planned && (!open_ended || state.most < 1U << 30U)) {
     command += fmt::format(" --spp={}", state.most);

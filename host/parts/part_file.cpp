@@ -1,9 +1,9 @@
 #include "parts/part_file.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/error.h"
+#include "image/division.h"
 #include "image/record.h"
 #include "parts/checkpoint.h"
 #include "parts/checksum.h"
@@ -13,15 +13,10 @@ namespace facet {
 
 namespace {
 
-constexpr const char* how_to_make_one = "facet render --sample-range A:B -o PART.exr makes one";
+constexpr const char* how_to_make_one = "facet render --part I/N, or --sample-range A:B, makes one";
 
 std::string describe_size(const ExrHeader& h) {
   return fmt::format("{}x{}", h.window.full_width, h.window.full_height);
-}
-
-std::string describe_crop(const ExrHeader& h) {
-  return fmt::format("{},{},{},{}", h.window.x, h.window.y, h.window.x + h.width,
-                     h.window.y + h.height);
 }
 
 /// Throws InputError unless the two texts are one.
@@ -30,6 +25,20 @@ void check_same(const PartFile& part, const PartFile& first, const char* what,
   if (its != other)
     throw InputError(fmt::format("{}: its {} is {}, but that of {} is {}", part.file, what, its,
                                  first.file, other));
+}
+
+/// A part's samples and pixels are among those that it is said to be a share of.
+void check_division(const PartFile& part) {
+  if (!part.record.division) return;
+  const Division& d = *part.record.division;
+  const Crop p = part.pixels();
+  const bool inside = p.x0 >= d.pixels.x0 && p.y0 >= d.pixels.y0 && p.x1 <= d.pixels.x1 &&
+                      p.y1 <= d.pixels.y1 &&
+                      SampleRanges(d.samples).missing_in(part.record.samples.hull()).empty();
+  if (!inside)
+    throw InputError(fmt::format("{}: damaged: its samples {} and pixels {} are no share of {}",
+                                 part.file, part.record.samples.text(), crop_text(p),
+                                 division_text(d)));
 }
 
 }  // namespace
@@ -48,6 +57,11 @@ RenderRecord read_record(const std::string& file, const ExrHeader& header) {
                                  field->expected));
   }
   return parsed.record;
+}
+
+Crop PartFile::pixels() const {
+  return {header.window.x, header.window.y, header.window.x + header.width,
+          header.window.y + header.height};
 }
 
 bool PartFile::has_channel(const std::string& name) const {
@@ -71,6 +85,7 @@ PartFile open_part(const std::string& file) {
                                  ours ? "a whole image and " : "", how_to_make_one));
   }
   part.record = read_record(file, part.header);
+  check_division(part);
   if (part.record.adaptive)
     throw InputError(fmt::format(
         "{}: its pixels have different samples (--adaptive), and parts are of the same", file));
@@ -92,7 +107,6 @@ void check_same_render(const PartFile& part, const PartFile& first) {
   const bool same_scene = part.record.fingerprint == first.record.fingerprint;
   if (!same_scene) check_same(part, first, "scene", part.record.scene, first.record.scene);
   check_same(part, first, "image", describe_size(part.header), describe_size(first.header));
-  check_same(part, first, "crop", describe_crop(part.header), describe_crop(first.header));
   for (const RecordField& field : record_fields()) {
     const auto text = [&](const PartFile& p) {
       return field.read(p.record).value_or("as the scene says");
@@ -109,14 +123,8 @@ void check_same_render(const PartFile& part, const PartFile& first) {
   }
 }
 
-void check_disjoint(const PartFile& part, const PartFile& first) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(part.file, first.file, ignored))
-    throw InputError(fmt::format("{}: is given twice", part.file));
-  const SampleRanges common = part.record.samples.common(first.record.samples);
-  if (common.empty()) return;
-  throw InputError(fmt::format("{}: overlaps with {}: both hold the samples {}", part.file,
-                               first.file, common.text()));
+void check_same_pixels(const PartFile& part, const PartFile& first) {
+  check_same(part, first, "crop", crop_text(part.pixels()), crop_text(first.pixels()));
 }
 
 }  // namespace facet

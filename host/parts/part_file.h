@@ -14,6 +14,8 @@ struct PartFile {
   /// Whether it holds sums of squares.
   [[nodiscard]] bool has_squares() const { return has_channel("square.R"); }
   [[nodiscard]] bool has_channel(const std::string& name) const;
+  /// Of the whole image.
+  [[nodiscard]] Crop pixels() const;
   /// Its pixels' sums, with the record. Throws InputError where they are damaged.
   [[nodiscard]] Film read() const;
 };
@@ -27,10 +29,10 @@ struct PartFile {
 [[nodiscard]] RenderRecord read_record(const std::string& file, const ExrHeader& header);
 
 /// Throws InputError, which names the difference, unless both files are of one render of the same
-/// scene.
+/// scene; their pixels and samples may be others.
 void check_same_render(const PartFile& part, const PartFile& first);
 
-/// Throws InputError if both files hold the same samples.
-void check_disjoint(const PartFile& part, const PartFile& first);
+/// Throws InputError unless both files hold the same pixels.
+void check_same_pixels(const PartFile& part, const PartFile& first);
 
 }  // namespace facet

@@ -5,6 +5,7 @@
 
 #include "convergence/probes.h"
 #include "core/error.h"
+#include "image/division.h"
 #include "scene/fingerprint.h"
 #include "scene/reader.h"
 #include "version.h"
@@ -106,15 +107,49 @@ SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
   return {0, sample_count_of(request, open_ended ? most_samples : otherwise)};
 }
 
-void check_goals(const RenderSettings& s, const RenderRequest& request) {
-  if (s.adaptive && request.sample_range)
+void check_share(const char* what, const Share& share, std::uint64_t things, const char* of) {
+  if (share.index < 1 || share.index > share.count)
+    throw InputError(fmt::format("{} {} of {}: from 1 to {} expected", what, share.index,
+                                 share.count, share.count));
+  if (share.count > things)
+    throw InputError(fmt::format("{} {} of {}: more shares than {}, {}", what, share.index,
+                                 share.count, of, things));
+}
+
+/// Leaves the samples and pixels that the request's shares hold.
+void divide(RenderSettings& s, const RenderRequest& request) {
+  if (!request.part && !request.tile) return;
+  if (request.part && request.sample_range)
+    throw InputError("a part and a sample range exclude each other");
+  if (request.tile && request.pixel) throw InputError("a tile and a pixel exclude each other");
+  Division& d = s.division.emplace();
+  d.samples = s.samples;
+  d.pixels = s.crop;
+  if (request.part) {
+    check_share("part", *request.part, s.samples_per_pixel(), "samples a pixel");
+    d.parts = request.part->count;
+    s.samples = share_of(s.samples, *request.part);
+  }
+  if (request.tile) {
+    check_share("tile", *request.tile, static_cast<std::uint64_t>(s.crop_height()),
+                "rows of pixels");
+    d.tiles = request.tile->count;
+    s.crop = share_of(s.crop, *request.tile);
+  }
+  if (std::uint64_t{d.parts} * d.tiles > most_shares)
     throw InputError(
-        "adaptive sampling and a sample range exclude each other: the pixels of parts have the "
-        "same samples");
-  if ((s.error || s.deadline) && request.sample_range)
+        fmt::format("{} parts of {} tiles: {} shares at most", d.parts, d.tiles, most_shares));
+}
+
+void check_goals(const RenderSettings& s) {
+  if (s.adaptive && s.is_part)
     throw InputError(
-        "a sample range says which samples are rendered; an error or a time to stop at would "
-        "leave some of them away");
+        "adaptive sampling and a sample range, a part or a tile exclude each other: the pixels of "
+        "parts have the same samples");
+  if ((s.error || s.deadline) && s.is_part)
+    throw InputError(
+        "a sample range, a part or a tile says which samples are rendered; an error or a time to "
+        "stop at would leave some of them away");
   if (s.error && !(*s.error > 0 && std::isfinite(*s.error)))
     throw InputError(fmt::format("an error of {}: a positive number expected", *s.error));
   if (s.adaptive && s.samples_per_pixel() < least_adaptive_samples)
@@ -132,6 +167,8 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   check_image_size(s.size.width, s.size.height);
   s.crop = crop_of(s.size, request);
   s.samples = samples_of(scene, request);
+  divide(s, request);
+  s.is_part = request.sample_range || s.division;
   s.planned = sample_count_of(request, static_cast<std::uint32_t>(scene.sample_count));
   s.seed = request.seed.value_or(scene.seed);
   s.masking = request.masking;
@@ -142,7 +179,7 @@ RenderSettings resolve(const Scene& scene, const RenderRequest& request) {
   const bool estimated = request.estimate_error || s.error;
   s.variance = request.variance || s.adaptive || estimated;
   s.probes = estimated && !is_independent(s.sampler) && has_probes(s.crop_width(), s.crop_height());
-  check_goals(s, request);
+  check_goals(s);
   return s;
 }
 
@@ -174,6 +211,7 @@ RenderRecord record_of(const RenderSettings& settings) {
   if (settings.sampler == Sampler::zsobol) r.planned = settings.planned;
   r.sampling = settings.sampling;
   r.samples.add(settings.samples);
+  r.division = settings.division;
   r.adaptive = settings.adaptive;
   r.seed = settings.seed;
   r.max_depth = settings.integrator.interaction_limit();

@@ -13,12 +13,14 @@ struct RenderSettings {
   ImageSize size;  ///< of the whole image
   Crop crop;
   SampleRange samples{0, 1};
+  std::optional<Division> division;  ///< what `crop` and `samples` are a share of
   std::uint32_t seed = 0;
   Integrator integrator;
   Sampler sampler = Sampler::independent;
   std::uint32_t planned = 1;       ///< samples of each pixel that zsobol puts in order
   std::optional<Masking> masking;  ///< instead of that of the scene's BSDFs
   LobeSampling sampling = LobeSampling::visible;
+  bool is_part = false;   ///< its sums are merged with others
   bool variance = false;  ///< keep sums of squares
   bool adaptive = false;  ///< pixels get samples by their variance; `samples` says how many on
                           ///< average, from 0 on
@@ -55,7 +57,8 @@ struct RenderSettings {
 
 /// The settings of a render of the scene as the request wants it. Throws InputError for a request
 /// that nothing can meet: an unknown integrator or sampler, none at all, a size beyond
-/// check_image_size, pixels outside the image, or a range without samples.
+/// check_image_size, pixels outside the image, a range without samples, or shares of which some
+/// would be empty.
 [[nodiscard]] RenderSettings resolve(const Scene& scene, const RenderRequest& request);
 
 /// The scene's camera with the settings' size of the image.

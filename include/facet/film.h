@@ -50,6 +50,17 @@ enum class Precision { float_, double_ };
 /// caller had enough.
 enum class StoppedBy { samples, error, time, interrupt };
 
+/// What a render is a share of: the samples and the pixels of all shares together, and how many
+/// shares there are of the samples (parts) and of the rows of pixels (tiles).
+struct Division {
+  SampleRange samples;
+  std::uint32_t parts = 1;
+  Crop pixels;
+  std::uint32_t tiles = 1;
+
+  [[nodiscard]] bool operator==(const Division&) const = default;
+};
+
 /// How an image was made: all that decides its values, and where and when. The EXR header, the JSON
 /// report, the command that renders a pixel again, and the checks of merging follow from it
 /// (host/image/record.h).
@@ -60,8 +71,9 @@ struct RenderRecord {
   std::string sampler;                   ///< likewise
   std::optional<std::uint32_t> planned;  ///< samples of each pixel by which zsobol orders them
   LobeSampling sampling = LobeSampling::visible;
-  SampleRanges samples;   ///< of each pixel
-  bool adaptive = false;  ///< `samples` says how many there are on average
+  SampleRanges samples;              ///< of each pixel
+  std::optional<Division> division;  ///< where parts or tiles were asked for
+  bool adaptive = false;             ///< `samples` says how many there are on average
   std::uint32_t seed = 0;
   int max_depth = -1;  ///< surface interactions of a path, -1: unlimited
   Heuristic heuristic = Heuristic::balance;

@@ -16,12 +16,23 @@ struct Crop {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+
+  [[nodiscard]] bool operator==(const Crop&) const = default;
 };
 
 /// Samples [begin, end) of every pixel.
 struct SampleRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+
+  [[nodiscard]] bool operator==(const SampleRange&) const = default;
+};
+
+/// One of so many shares that are as equal as whole samples or rows allow; counted from 1. The
+/// share i of n of [a, b) is [a + (b - a) (i - 1) / n, a + (b - a) i / n), rounded down.
+struct Share {
+  std::uint32_t index = 1;
+  std::uint32_t count = 1;
 };
 
 /// Width and height of an image in pixels.
@@ -90,6 +101,10 @@ struct RenderRequest {
   std::optional<int> samples = {};
   /// Only these of them, for parts that are merged.
   std::optional<SampleRange> sample_range = {};
+  /// Only this share of the samples, likewise; excludes `sample_range`.
+  std::optional<Share> part = {};
+  /// Only this share of the rows of the image, or of `crop`, likewise.
+  std::optional<Share> tile = {};
   std::optional<std::string> integrator = {};    ///< by its name in the scene language
   std::optional<std::string> sampler = {};       ///< likewise
   std::optional<int> max_depth = {};             ///< surface interactions of a path, -1: unlimited
@@ -106,11 +121,12 @@ struct RenderRequest {
   std::optional<int> emitter_candidates = {};
   LobeSampling sampling = LobeSampling::visible;
   /// Ends as soon as the image's relative error, the root of its relMSE, is at most this with a
-  /// confidence of 95 %. No sample range.
+  /// confidence of 95 %. No sample range, part or tile.
   std::optional<double> error = {};
-  /// Ends before this time, but with one sample a pixel at least. No sample range.
+  /// Ends before this time, but with one sample a pixel at least. No sample range, part or tile.
   std::optional<std::chrono::steady_clock::time_point> deadline = {};
-  /// Pixels get samples by their variance, `samples` on average (at least 16). No sample range.
+  /// Pixels get samples by their variance, `samples` on average (at least 16). No sample range,
+  /// part or tile.
   bool adaptive = false;
   bool variance = false;  ///< keep sums of squares
   /// Keep what estimate_error() is valid with for every sampler: sums of squares and, where the

@@ -1,23 +1,13 @@
 // `facet merge`: joined parts are the whole render.
-#include <bit>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/merge.h"
 #include "parts/checksum.h"
+#include "support/images.h"
 
 namespace facet::test {
 
 namespace {
-
-/// Steps from one float to the other, through all floats between.
-std::int64_t ulps_between(float a, float b) {
-  const auto rank = [](float x) {
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    return bits < 0 ? -std::int64_t{bits & 0x7fffffff} : std::int64_t{bits};
-  };
-  return std::abs(rank(a) - rank(b));
-}
 
 class MergedTest : public MergeCliTest {
  protected:

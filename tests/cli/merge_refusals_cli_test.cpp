@@ -89,14 +89,14 @@ TEST_F(MergeCliTest, FilesThatAreNoParts) {
   part("a.exr", "0:4");
   render("whole.exr", {});
   expect_refusal({"a.exr", "whole.exr"},
-                 {"whole.exr: ", "whole image", "facet render --sample-range"});
+                 {"whole.exr: ", "whole image", "facet render --part"});
   Image stripped = read("a.exr");
   stripped.metadata.clear();
   write_exr(folder_.file("stripped.exr"), stripped);
   expect_refusal({"a.exr", "stripped.exr"},
-                 {"stripped.exr: ", "no part", "lacks facet.", "facet render --sample-range"});
+                 {"stripped.exr: ", "no part", "lacks facet.", "facet render --part"});
   write_exr(folder_.file("foreign.exr"), Image(4, 4, {"R", "G", "B"}));
-  expect_refusal({"foreign.exr"}, {"foreign.exr: ", "no part", "facet render --sample-range"});
+  expect_refusal({"foreign.exr"}, {"foreign.exr: ", "no part", "facet render --part"});
   const std::string bytes = folder_.read("a.exr");
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {

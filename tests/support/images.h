@@ -2,7 +2,9 @@
 // Images that tests write.
 #include <facet/film.h>
 
+#include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,15 @@ namespace facet::test {
     }
   }
   return image;
+}
+
+/// Steps from one float to the other, through all floats between.
+inline std::int64_t ulps_between(float a, float b) {
+  const auto rank = [](float x) {
+    const auto bits = std::bit_cast<std::int32_t>(x);
+    return bits < 0 ? -std::int64_t{bits & 0x7fffffff} : std::int64_t{bits};
+  };
+  return std::abs(rank(a) - rank(b));
 }
 
 /// The largest value of the first channel, 0 at least.

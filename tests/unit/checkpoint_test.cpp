@@ -97,7 +97,7 @@ TEST_F(CheckpointTest, EveryBitComesBack) {
 TEST_F(CheckpointTest, IsAPart) {
   const RenderState state = make_state();
   const PartSet set = open_parts({write(state)});
-  EXPECT_EQ(set.samples.text(), "0:40");
+  EXPECT_EQ(set.samples().text(), "0:40");
   const Film film = merge(set);
   EXPECT_EQ(film.window.x, 3);
   for (std::size_t i = 0; i < pixels; ++i) {

@@ -1,0 +1,283 @@
+// `facet render --part` and `--tile`: shares of a render, and `facet merge` of them.
+#include <nlohmann/json.hpp>
+
+#include "cli/merge.h"
+
+namespace facet::test {
+
+namespace {
+
+/// Shares of a scene of 16x16 pixels.
+class SharesCliTest : public MergeCliTest {
+ protected:
+  /// Renders a share under the name that it gets by itself, in the folder "parts".
+  void share(const Names& options) const {
+    std::filesystem::create_directory(folder_.file("parts"));
+    Names words{"-c", "cd parts && exec \"$0\" \"$@\" ../scene.xml", FACET_PROGRAM, "render",
+                "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.begin(), "sh");
+    const Result result = finish(start_command(words));
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  void remove(const std::string& name) const {
+    ASSERT_TRUE(std::filesystem::remove(folder_.file("parts/" + name))) << name;
+  }
+  void render_all(std::uint32_t parts, std::uint32_t tiles, const Names& options = {}) const {
+    for (std::uint32_t t = 1; t <= tiles; ++t) {
+      for (std::uint32_t p = 1; p <= parts; ++p) {
+        Names words{"--spp",  "10",
+                    "--part", fmt::format("{}/{}", p, parts),
+                    "--tile", fmt::format("{}/{}", t, tiles)};
+        words.insert(words.end(), options.begin(), options.end());
+        share(words);
+      }
+    }
+  }
+  /// Expects a refusal, which begins with so many commands.
+  void expect_missing(const Names& parts, int commands, const std::string& missing) const {
+    Names options{"merge", "-o", "none.exr"};
+    options.insert(options.end(), parts.begin(), parts.end());
+    const Result result = run(options);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), commands + 1) << result.err;
+    expect_words(result.err, {"missing: facet render ", missing.c_str(), "--allow-gaps"});
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("none.exr")));
+  }
+  static void expect_same_colors(const Image& a, const Image& b) {
+    ASSERT_EQ(a.width(), b.width());
+    ASSERT_EQ(a.height(), b.height());
+    for (const char* channel : {"R", "G", "B"}) {
+      const float* x = a.plane(a.find_channel(channel));
+      const float* y = b.plane(b.find_channel(channel));
+      // Sums in another order may round otherwise, by far less than a float shows.
+      for (int i = 0; i < a.width() * a.height(); ++i) EXPECT_FLOAT_EQ(x[i], y[i]) << i;
+    }
+  }
+};
+
+TEST_F(SharesCliTest, PartsOfTilesAreTheWhole) {
+  render_all(3, 5, {"--sampler", "sobol"});
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("parts/scene_tile_5_of_5_part_3_of_3.exr")));
+  EXPECT_EQ(metadata(read("parts/scene_tile_2_of_5_part_2_of_3.exr"), "facet.samples"), "3:6");
+  EXPECT_EQ(read("parts/scene_tile_2_of_5_part_2_of_3.exr").window.y, 3);
+  const Image merged = merge({"parts"});
+  EXPECT_EQ(metadata(merged, "facet.samples"), "0:10");
+  EXPECT_EQ(metadata(merged, "facet.division"), "no facet.division");
+  render("whole.exr", {"--sampler", "sobol", "--spp", "10"});
+  expect_same_colors(merged, read("whole.exr"));
+}
+
+TEST_F(SharesCliTest, SharesOfACropAndOfItsSquares) {
+  const Names options{"--crop", "2,3,14,15", "--aov", "variance"};
+  render_all(2, 2, options);
+  const Image merged = merge({"parts/*.exr", "--aov", "variance"});
+  EXPECT_EQ(merged.window.x, 2);
+  EXPECT_EQ(merged.window.y, 3);
+  EXPECT_EQ(merged.height(), 12);
+  Names whole = options;
+  whole.insert(whole.end(), {"--spp", "10"});
+  render("whole.exr", whole);
+  expect_same_colors(merged, read("whole.exr"));
+}
+
+TEST_F(SharesCliTest, TheReferenceDividesAlike) {
+  render_all(2, 3, {"--backend", "reference"});
+  const Image merged = merge({"parts"});
+  render("whole.exr", {"--backend", "reference", "--spp", "10"});
+  expect_same_colors(merged, read("whole.exr"));
+}
+
+TEST_F(SharesCliTest, MissingSharesAreNamedWithTheCommandsThatRenderThem) {
+  const Names options{"--seed", "9", "--aov", "variance"};
+  render_all(4, 3, options);
+  (void)merge({"parts"});
+  const std::string whole = folder_.read("merged.exr");
+  remove("scene_tile_1_of_3_part_2_of_4.exr");
+  remove("scene_tile_1_of_3_part_4_of_4.exr");
+  for (const char* part : {"1", "2", "3", "4"})
+    remove(fmt::format("scene_tile_3_of_3_part_{}_of_4.exr", part));
+  const Result refused = run({"merge", "parts", "-o", "none.exr"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(
+      refused.err.ends_with("facet: missing: parts 2,4 of 4 of tile 1 of 3; tile 3 of 3: render "
+                            "them, or merge with --allow-gaps\n"))
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("none.exr")));
+  std::istringstream lines(refused.err);
+  int commands = 0;
+  constexpr std::string_view start = "missing: facet ";
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(start)) continue;
+    const std::string command =
+        fmt::format("'{}' {} --quiet", FACET_PROGRAM, line.substr(start.size()));
+    std::string moved = command;
+    moved.replace(moved.find(" -- scene.xml --quiet"), std::string::npos, " --quiet -- scene.xml");
+    const Result rendered = finish(start_command({"sh", "-c", moved}));
+    EXPECT_EQ(rendered.code, 0) << moved << '\n' << rendered.err;
+    ++commands;
+  }
+  EXPECT_EQ(commands, 6);
+  (void)merge({"parts"});
+  // But for the seconds, which the checksum is of, too.
+  expect_same_colors(read("merged.exr"), [&] {
+    folder_.write("first.exr", whole);
+    return read("first.exr");
+  }());
+}
+
+TEST_F(SharesCliTest, APartIsMissingAtTheEnd) {
+  for (const char* part : {"1/3", "2/3"}) share({"--spp", "6", "--part", part});
+  expect_missing({"parts"}, 1, "missing: part 3 of 3:");
+  const Image merged = merge({"parts", "--allow-gaps"});
+  EXPECT_EQ(metadata(merged, "facet.samples"), "0:4");
+  EXPECT_EQ(metadata(merged, "facet.division"), "3 parts of 0:6, 1 tiles of 0,0,16,16");
+  const Result info = run({"info", "parts/scene_part_2_of_3.exr"});
+  expect_words(info.out, {"a part, part 2 of 3:"});
+}
+
+TEST_F(SharesCliTest, MergesOfATreeAreTheMergeOfAll) {
+  render_all(3, 2);
+  const Image all = merge({"parts"});
+  for (const char* tile : {"1", "2"}) {
+    const std::string name = fmt::format("tile{}.exr", tile);
+    const Result result = run({"merge", fmt::format("parts/scene_tile_{}_*.exr", tile), "-o", name,
+                               "--allow-gaps", "--quiet"});
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  expect_missing({"tile1.exr"}, 3, "missing: tile 2 of 2:");
+  expect_same_colors(merge({"tile1.exr", "tile2.exr"}), all);
+}
+
+TEST_F(SharesCliTest, TilesThatDoNotFitAreRefused) {
+  share({"--tile", "1/2"});
+  share({"--tile", "2/3"});
+  expect_refusal({"parts"}, {"its crop is", "scene_tile_1_of_2.exr is 0,0,16,8"});
+  share({"--tile", "1/3"});
+  share({"--tile", "3/3"});
+  remove("scene_tile_1_of_2.exr");
+  (void)merge({"parts"});
+  remove("scene_tile_2_of_3.exr");
+  expect_missing({"parts"}, 1, "missing: tile 2 of 3:");
+  expect_refusal({"parts", "--allow-gaps"}, {"no part holds 80 of the pixels 0,0,16,16"});
+  share({"--tile", "2/3", "--spp", "5"});
+  expect_refusal({"parts", "--allow-gaps"}, {"the samples 0:5", "0:1"});
+}
+
+TEST_F(SharesCliTest, ADamagedDivisionIsRefused) {
+  share({"--part", "1/2", "--spp", "4"});
+  const auto changed = [&](const std::string& text) {
+    Image image = read("parts/scene_part_1_of_2.exr");
+    for (auto& [key, value] : image.metadata) {
+      if (key == "facet.division") value = text;
+    }
+    write_exr(folder_.file("b.exr"), image);
+  };
+  changed("many");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: facet.division is \"many\""});
+  changed("2 parts of 2:4, 1 tiles of 0,0,16,16");
+  expect_refusal({"b.exr"}, {"b.exr: damaged: its samples 0:2", "no share of 2 parts of 2:4"});
+  changed("3 parts of 0:4, 1 tiles of 0,0,16,16");
+  expect_refusal({"b.exr", "--allow-gaps"}, {"b.exr: damaged", "checksum"});
+}
+
+TEST_F(SharesCliTest, FoldersAndPatternsWithoutParts) {
+  std::filesystem::create_directory(folder_.file("parts"));
+  expect_refusal({"parts"}, {"parts: no .exr lies in this folder"});
+  expect_refusal({"parts/*.exr"}, {"parts/*.exr: no file has a name like this"});
+  share({"--part", "1/2", "--spp", "4"});
+  share({"--part", "2/2", "--spp", "4"});
+  folder_.write("parts/.hidden.exr", "");
+  folder_.write("parts/notes.txt", "");
+  (void)merge({"parts"});
+  // What was merged into the same folder is no part of the next merge.
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(run({"merge", "parts", "-o", "parts/all.exr", "--quiet"}).code, 0);
+  expect_refusal({"parts"}, {"overlap"});
+}
+
+TEST_F(SharesCliTest, SharesThatCannotBe) {
+  const auto refused = [&](Names options, std::initializer_list<const char*> words) {
+    options.insert(options.begin(), {"render", "scene.xml", "-o", "none.exr"});
+    expect_failure(options, 2, words);
+  };
+  for (const char* text : {"", "0/4", "5/4", "x", "4", "2/x", "-1/3"}) {
+    refused({"--part", text}, {"--part", "I/N"});
+    refused({"--tile", text}, {"--tile", "I/N"});
+  }
+  refused({"--part", "1/5"}, {"part 1 of 5: more shares than samples a pixel, 1"});
+  refused({"--tile", "1/17"}, {"tile 1 of 17: more shares than rows of pixels, 16"});
+  refused({"--part", "1/2", "--spp", "4", "--sample-range", "0:2"},
+          {"part", "sample range", "exclude"});
+  refused({"--tile", "1/2", "--pixel", "1,1"}, {"tile", "pixel", "exclude"});
+  refused({"--part", "1/2", "--adaptive", "--spp", "64"}, {"adaptive"});
+  refused({"--tile", "1/2", "--error", "1%"}, {"tile", "error"});
+  refused({"--part", "1/2", "--spp", "4", "--time", "2"}, {"part", "time"});
+}
+
+TEST_F(SharesCliTest, EnginesTellWhichShare) {
+  const auto render_as = [&](const std::string& part, const std::vector<std::string>& variables) {
+    return run({"render", "scene.xml", "--spp", "8", "-o", "a.exr", "--quiet", "--part", part},
+               variables);
+  };
+  const auto expect_samples = [&](const std::string& part,
+                                  const std::vector<std::string>& variables,
+                                  const std::string& samples) {
+    const Result result = render_as(part, variables);
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(metadata(read("a.exr"), "facet.samples"), samples) << part;
+  };
+  const std::vector<std::string> slurm{"SLURM_ARRAY_TASK_ID=3", "SLURM_ARRAY_TASK_MIN=1",
+                                       "SLURM_ARRAY_TASK_MAX=4", "SLURM_ARRAY_TASK_COUNT=4"};
+  expect_samples("slurm", slurm, "4:6");
+  expect_samples("slurm/8", slurm, "2:3");
+  expect_samples("sge", {"SGE_TASK_ID=4", "SGE_TASK_FIRST=1", "SGE_TASK_LAST=4"}, "6:8");
+  expect_samples("aws", {"AWS_BATCH_JOB_ARRAY_INDEX=0", "AWS_BATCH_JOB_ARRAY_SIZE=2"}, "0:4");
+  expect_samples("google", {"BATCH_TASK_INDEX=1", "BATCH_TASK_COUNT=2"}, "4:8");
+  expect_samples("srun", {"SLURM_PROCID=1", "SLURM_NTASKS=2"}, "4:8");
+  expect_samples("openmpi", {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=4"}, "2:4");
+  expect_samples("mpich", {"PMI_RANK=1", "PMI_SIZE=4"}, "2:4");
+  expect_samples("kubernetes/4", {"JOB_COMPLETION_INDEX=3"}, "6:8");
+  expect_samples("pbs/4", {"PBS_ARRAY_INDEX=4"}, "6:8");
+  expect_samples("lsf/4", {"LSB_JOBINDEX=1"}, "0:2");
+  const auto refused = [&](const std::string& part, const std::vector<std::string>& variables,
+                           std::initializer_list<const char*> words) {
+    const Result result = render_as(part, variables);
+    EXPECT_EQ(result.code, 2) << part;
+    expect_words(result.err, words);
+  };
+  refused("slurm", {}, {"--part slurm", "SLURM_ARRAY_TASK_ID is not set"});
+  refused("slurm/4", {"SLURM_ARRAY_TASK_ID=0"}, {"SLURM_ARRAY_TASK_ID is 0, but 1 to 4"});
+  refused("slurm/4", {"SLURM_ARRAY_TASK_ID=5"}, {"SLURM_ARRAY_TASK_ID is 5, but 1 to 4"});
+  refused("slurm/0", slurm, {"slurm/N expected"});
+  // Some of an array once more: the same index would be another share.
+  refused("slurm",
+          {"SLURM_ARRAY_TASK_ID=3", "SLURM_ARRAY_TASK_MIN=3", "SLURM_ARRAY_TASK_MAX=4",
+           "SLURM_ARRAY_TASK_COUNT=2"},
+          {"not 1 to N", "slurm/N"});
+  refused("slurm",
+          {"SLURM_ARRAY_TASK_ID=1", "SLURM_ARRAY_TASK_MIN=1", "SLURM_ARRAY_TASK_MAX=4",
+           "SLURM_ARRAY_TASK_COUNT=2"},
+          {"not 1 to N", "slurm/N"});
+  refused("kubernetes", {"JOB_COMPLETION_INDEX=3"}, {"how many", "kubernetes/N"});
+  refused("aws/2", {"AWS_BATCH_JOB_ARRAY_INDEX=2"}, {"is 2, but 0 to 1"});
+  refused("sge", {"SGE_TASK_ID=undefined"}, {"SGE_TASK_ID is \"undefined\""});
+}
+
+TEST_F(SharesCliTest, ACheckpointOfAShareContinuesAsThatShare) {
+  const pid_t child = start({"render", "scene.xml", "--spp", "4000000", "--part", "2/4", "--tile",
+                             "1/2", "--checkpoint", "c.exr", "-o", "a.exr", "--seed", "3"});
+  for (int i = 0; i < 600 && !std::filesystem::exists(folder_.file("c.exr")); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (i % 10 == 9) ::kill(child, SIGINT);
+  }
+  (void)finish(child);
+  ASSERT_TRUE(std::filesystem::exists(folder_.file("c.exr")));
+  const Result info = run({"info", "c.exr"});
+  expect_words(info.out, {"facet render --part=2/4 --tile=1/2 --spp=4000000 --resolution=16x16",
+                          "--seed=3", "--checkpoint=c.exr --resume -- scene.xml"});
+}
+
+}  // namespace
+
+}  // namespace facet::test
