@@ -96,6 +96,8 @@ case $command in
     # Here, since tests download nothing.
     sh "$root/cmake/second-driver.sh" --prepare >&2 ||
       say "the test that compares two drivers will be skipped"
+    sh "$root/farm/slurm/private-cluster.sh" --prepare >&2 ||
+      say "the test of array jobs will be skipped"
     cd "$root/build/release"
     [ $# -gt 0 ] || set -- -LE slow
     # Tests wait for their driver half of the time.

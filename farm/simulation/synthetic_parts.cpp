@@ -1,7 +1,7 @@
-// synthetic_parts FOLDER COUNT WIDTH HEIGHT BITS: as many part files as a farm would write, without
-// rendering: each says that it is another share of one render, and all hold the same pixels, random
-// numbers of so many bits a channel (24: as hard to compress as those of a render). The merged
-// image is what any of them shows.
+// synthetic_parts FOLDER COUNT WIDTH HEIGHT BITS zip|none: as many part files as a farm would
+// write, without rendering: each says that it is another share of one render, and all hold the same
+// pixels, random numbers of so many bits a channel (24: as hard to compress as those of a render).
+// The merged image is what any of them shows.
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
@@ -73,14 +73,15 @@ void write_copy(const std::filesystem::path& first, Image& image, const RenderRe
   out.copyPixels(in);
 }
 
-int run(const std::filesystem::path& folder, std::uint32_t count, int width, int height, int bits) {
+int run(const std::filesystem::path& folder, std::uint32_t count, int width, int height, int bits,
+        ExrCompression compression) {
   Film film = random_film(width, height, bits);
   film.record = record_of({1, count}, film);
   Image image = make_part(film, false);
   const auto file = [&](std::uint32_t i) {
     return folder / share_file("synthetic", Share{i, count}, std::nullopt);
   };
-  write_exr(file(1), image);
+  write_exr(file(1), image, compression);
   for (std::uint32_t i = 2; i <= count; ++i)
     write_copy(file(1), image, record_of({i, count}, film), file(i));
   fmt::print("{} parts of {} bytes\n", count, std::filesystem::file_size(file(1)));
@@ -90,13 +91,15 @@ int run(const std::filesystem::path& folder, std::uint32_t count, int width, int
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) {
-    fmt::print(stderr, "usage: {} FOLDER COUNT WIDTH HEIGHT BITS\n", argv[0]);
+  if (argc != 7) {
+    fmt::print(stderr, "usage: {} FOLDER COUNT WIDTH HEIGHT BITS zip|none\n", argv[0]);
     return EXIT_FAILURE;
   }
   try {
-    return run(argv[1], static_cast<std::uint32_t>(std::atoi(argv[2])), std::atoi(argv[3]),
-               std::atoi(argv[4]), std::atoi(argv[5]));
+    return run(
+        argv[1], static_cast<std::uint32_t>(std::atoi(argv[2])), std::atoi(argv[3]),
+        std::atoi(argv[4]), std::atoi(argv[5]),
+        std::string_view(argv[6]) == "none" ? ExrCompression::uncompressed : ExrCompression::zip);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return EXIT_FAILURE;

@@ -5,9 +5,9 @@
 #     sh farm/slurm/private-cluster.sh --check      # says whether it is there; fetches nothing
 # to try array jobs without a cluster, and for facet's own test of them. The command finds sbatch,
 # squeue and the others in PATH. Debian's packages come through apt and are unpacked into
-# $FACET_SLURM (default: facet/slurm in the user's cache folder). The daemons listen on the loopback,
-# write to a temporary folder, run jobs of this user alone and trust every user of this machine, so
-# this is no cluster to leave running. Neither root nor systemd is needed.
+# $FACET_SLURM (default: facet/slurm in the user's cache folder), without root or systemd.
+# The daemons listen on the loopback, write to a temporary folder, run jobs of this user alone and
+# believe whoever connects, so this is no cluster to leave running.
 # Exit codes: 77 where there is no Slurm, with a line that says why; 2 wrong usage; else 0, or what
 # COMMAND returns.
 set -eu
@@ -100,7 +100,7 @@ run_on_cluster() {
   node=$(uname -n | cut -d . -f 1)
   controller= daemon=
   export SLURM_CONF="$work/slurm.conf" PATH="$kept/usr/bin:$kept/usr/sbin:$PATH"
-  export LD_LIBRARY_PATH="$plugins:$(dirname "$plugins")${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+  export LD_LIBRARY_PATH="$plugins:$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
   for attempt in 1 2 3 4 5; do
     port=$((20000 + ($$ * 10 + attempt * 2) % 20000))
     if start_cluster; then
@@ -128,7 +128,9 @@ if [ "$1" = --check ]; then
 else
   prepare fetch_slurm
 fi
-plugins=$kept/usr/lib/$(uname -m)-linux-gnu/slurm-wlm
+libraries=$kept/usr/lib/$(uname -m)-linux-gnu
+plugins=$libraries/slurm-wlm
+libraries=$libraries:$kept/lib/$(uname -m)-linux-gnu
 case $1 in
   --check | --prepare) echo "Slurm $(cat "$kept/version") in $kept" ;;
   *) run_on_cluster "$@" ;;

@@ -28,7 +28,7 @@ struct MergeOptions {
   std::vector<std::string> aovs;
   std::string sample_range;
   bool allow_gaps = false;
-  float exposure = 0;
+  WriteOptions writing;
   std::string json;
   bool quiet = false;
 };
@@ -50,7 +50,7 @@ class MergeJob {
     error_ = estimate_error(film_);
     heavy_tails_ = find_heavy_tails(film_);
     written_ = write_images(options_.outputs, make_part(film_, wants_variance(options_.aovs)),
-                            options_.exposure);
+                            options_.writing);
     if (!options_.json.empty()) write_text(options_.json, json_text() + '\n');
     if (!options_.quiet) print_summary();
     warn_about_heavy_tails(heavy_tails_);
@@ -161,7 +161,7 @@ void add_merge_command(CommandLine& line) {
   command.flag("--allow-gaps", o.allow_gaps,
                "Merge although samples between the parts are missing");
   add_aov_option(command, o.aovs, false);
-  add_exposure_option(command, o.exposure);
+  add_writing_options(command, o.writing);
   add_report_options(command, o.json, o.quiet);
   command.action([options] { return MergeJob(*options).run(); });
 }

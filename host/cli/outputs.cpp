@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
@@ -20,6 +21,9 @@ void print_warnings(const Diagnostics& diagnostics) {
 
 namespace {
 
+constexpr std::array compression_words{Word{ExrCompression::zip, "zip"},
+                                       Word{ExrCompression::uncompressed, "none"}};
+
 /// Absolute first: weakly_canonical leaves "a.exr" as it is, but not "./a.exr".
 std::filesystem::path whole_path(const std::filesystem::path& file) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
@@ -27,7 +31,7 @@ std::filesystem::path whole_path(const std::filesystem::path& file) {
 
 /// Where the file's folder has gone since the command began, the image goes to the current one.
 /// Returns the path it has.
-std::string write_image(const std::string& file, const Image& image, float exposure) {
+std::string write_image(const std::string& file, const Image& image, const WriteOptions& options) {
   const std::filesystem::path path(file);
   std::error_code unknown;
   const bool lost = path.has_parent_path() && !std::filesystem::exists(path.parent_path(), unknown);
@@ -35,7 +39,7 @@ std::string write_image(const std::string& file, const Image& image, float expos
   if (lost && std::filesystem::exists(place, unknown))
     throw InputError(fmt::format(
         "{}: cannot write: no such folder any more, and {} is in the current one", file, place));
-  facet::write_image(place, image, {.exposure = exposure});
+  facet::write_image(place, image, options);
   if (lost) say("warning: {}: no such folder any more; the image is in {}\n", file, place);
   return place;
 }
@@ -64,8 +68,11 @@ bool wants_error(const std::vector<std::string>& aovs) {
   return std::find(aovs.begin(), aovs.end(), "error") != aovs.end();
 }
 
-void add_exposure_option(Command& command, float& exposure) {
-  command.number("--exposure", exposure, -100.F, 100.F, "Stops by which PNG images are brightened");
+void add_writing_options(Command& command, WriteOptions& options) {
+  command.number("--exposure", options.exposure, -100.F, 100.F,
+                 "Stops by which PNG images are brightened");
+  command.word("--compression", options.compression, compression_words,
+               "How EXRs are packed; none: larger, and several times as fast to merge");
 }
 
 void add_json_option(Command& command, std::string& json) {
@@ -115,7 +122,8 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
   }
 }
 
-void try_writing(const std::vector<std::string>& files, const Image& image, float exposure) {
+void try_writing(const std::vector<std::string>& files, const Image& image,
+                 const WriteOptions& options) {
   for (const std::string& file : files) {
     const std::filesystem::path path(file);
     std::error_code unknown;
@@ -124,7 +132,7 @@ void try_writing(const std::vector<std::string>& files, const Image& image, floa
         path.parent_path() /
         fmt::format(".facet-trial-{}{}", ::getpid(), path.extension().string());
     try {
-      facet::write_image(trial, image, {.exposure = exposure});
+      facet::write_image(trial, image, options);
     } catch (const InputError&) {
     }
     std::filesystem::remove(trial, unknown);
@@ -132,12 +140,12 @@ void try_writing(const std::vector<std::string>& files, const Image& image, floa
 }
 
 std::vector<std::string> write_images(const std::vector<std::string>& files, const Image& image,
-                                      float exposure) {
+                                      const WriteOptions& options) {
   std::vector<std::string> written;
   std::string failures;
   for (const std::string& file : files) {
     try {
-      written.push_back(write_image(file, image, exposure));
+      written.push_back(write_image(file, image, options));
     } catch (const InputError& error) {
       failures += (failures.empty() ? "" : "\n") + std::string(error.what());
     }

@@ -20,8 +20,8 @@ void add_aov_option(Command& command, std::vector<std::string>& aovs, bool with_
 [[nodiscard]] bool wants_variance(const std::vector<std::string>& aovs);
 [[nodiscard]] bool wants_error(const std::vector<std::string>& aovs);
 
-/// --exposure: stops by which PNG images are brightened.
-void add_exposure_option(Command& command, float& exposure);
+/// --exposure and --compression.
+void add_writing_options(Command& command, WriteOptions& options);
 
 /// --json.
 void add_json_option(Command& command, std::string& json);
@@ -42,12 +42,14 @@ void check_png_size(const std::vector<std::string>& images, int width, int heigh
 
 /// Writes the image beside every file, under another name, and removes it again: for how long that
 /// takes. Errors are left to the writing itself.
-void try_writing(const std::vector<std::string>& files, const Image& image, float exposure);
+void try_writing(const std::vector<std::string>& files, const Image& image,
+                 const WriteOptions& options);
 
 /// Writes the image to every file, in the format that its extension names; then throws InputError
 /// if one of them could not be written. Returns where they are: an image whose folder was removed
 /// meanwhile is in the current one.
 [[nodiscard]] std::vector<std::string> write_images(const std::vector<std::string>& files,
-                                                    const Image& image, float exposure);
+                                                    const Image& image,
+                                                    const WriteOptions& options);
 
 }  // namespace facet::cli

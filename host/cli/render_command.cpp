@@ -129,7 +129,7 @@ class RenderJob {
       noise = noise_film(width, rows, settings_.variance);
     RenderOutcome trial = outcome_;
     keep(noise, trial);
-    try_writing(outcome_.files, trial.image, options_.exposure);
+    try_writing(outcome_.files, trial.image, options_.writing);
     // Machines are not always as fast as just now.
     constexpr double reserve = 1.5;
     constexpr double ending_the_program = 0.06;
@@ -207,7 +207,7 @@ class RenderJob {
 
   void write() {
     const double start = seconds_since_start();
-    outcome_.files = write_images(outcome_.files, outcome_.image, options_.exposure);
+    outcome_.files = write_images(outcome_.files, outcome_.image, options_.writing);
     outcome_.write_seconds = seconds_since_start() - start;
   }
 

@@ -118,7 +118,7 @@ void add_render_options(Command& command, RenderOptions& o) {
                "where there is no such file");
   add_sampling_option(command, o.request.sampling, true);
   add_aov_option(command, o.aovs, true);
-  add_exposure_option(command, o.exposure);
+  add_writing_options(command, o.writing);
 }
 
 RenderRequest make_request(const RenderOptions& o) {

@@ -28,7 +28,7 @@ struct RenderOptions {
   bool resume = false;
   BackendChoice backend;
   std::vector<std::string> aovs;
-  float exposure = 0;
+  WriteOptions writing;
   std::string json;
   bool quiet = false;
   ReadingRules reading;

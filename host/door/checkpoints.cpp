@@ -31,7 +31,7 @@ double thread_seconds() {
 /// Returns the seconds that it took of the processors' time.
 double write_state(const RenderState& state, const std::filesystem::path& file) {
   const double start = thread_seconds();
-  write_exr(file, make_checkpoint(state), ExrCompression::fast);
+  write_exr(file, make_checkpoint(state), ExrCompression::uncompressed);
   return (thread_seconds() - start) / static_cast<double>(thread_count());
 }
 

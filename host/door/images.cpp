@@ -13,7 +13,7 @@ namespace facet {
 void write_image(const std::filesystem::path& path, const Image& image,
                  const WriteOptions& options) {
   if (output_format(path) == ImageFormat::exr) {
-    write_exr(path, image);
+    write_exr(path, image, options.compression);
   } else {
     write_png(path, image, options.exposure);
   }

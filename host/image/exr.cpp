@@ -18,6 +18,7 @@
 #include "core/parallel.h"
 #include "image/exr_attributes.h"
 #include "image/files.h"
+#include "image/plain_exr.h"
 
 namespace facet {
 
@@ -132,6 +133,7 @@ Image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
   Image image(header.width, header.height, header.channels);
   image.window = header.window;
   image.metadata = header.metadata;
+  if (file.parts() == 1 && read_plain_exr(path, image)) return image;
   int channel = 0;
   for (const ReadPart& part : parts_to_read(path, file)) {
     const Imf::Header& part_header = file.header(part.number);

@@ -63,9 +63,6 @@ struct ExrHeader {
 /// in an EXR, written and read with every bit.
 inline constexpr std::string_view word_prefix = "state.";
 
-/// How an EXR is packed: small, or fast to write.
-enum class ExrCompression { zip, fast };
-
 /// Writes 32-bit channels, with the image's metadata as text attributes.
 void write_exr(const std::filesystem::path& path, const Image& image,
                ExrCompression compression = ExrCompression::zip);

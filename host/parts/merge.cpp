@@ -3,10 +3,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <deque>
+#include <future>
 #include <map>
 #include <tuple>
 
 #include "core/error.h"
+#include "core/memory.h"
+#include "core/parallel.h"
 #include "image/division.h"
 #include "image/film.h"
 #include "parts/missing.h"
@@ -137,6 +141,14 @@ class PartSetMaker {
   std::map<std::pair<::dev_t, ::ino_t>, std::string> known_;  ///< files by what they are
 };
 
+/// The film of a part that was opened before.
+Film read_entry(const PartEntry& part) {
+  const PartFile file = open_part(part.file);
+  if (file.pixels() != part.pixels || file.record.samples.text() != part.samples.text())
+    throw InputError(fmt::format("{}: was changed just now", part.file));
+  return file.read();
+}
+
 }  // namespace
 
 Crop PartSet::pixels() const {
@@ -209,11 +221,20 @@ Film merge(const PartSet& set) {
   const bool has_squares = std::ranges::all_of(set.parts, &PartEntry::has_squares);
   Film film = make_film(pixels.x1 - pixels.x0, pixels.y1 - pixels.y0,
                         {pixels.x0, pixels.y0, set.size.width, set.size.height}, has_squares);
-  for (const PartEntry& part : set.parts) {
-    const PartFile file = open_part(part.file);
-    if (file.pixels() != part.pixels || file.record.samples.text() != part.samples.text())
-      throw InputError(fmt::format("{}: was changed just now", part.file));
-    add_samples(film, file.read());
+  // Read side by side, added in order.
+  std::deque<std::future<Film>> reading;
+  auto next = set.parts.begin();
+  const Activity* activity = Activity::innermost();
+  while (next != set.parts.end() || !reading.empty()) {
+    while (next != set.parts.end() && reading.size() < thread_count()) {
+      reading.push_back(std::async([&part = *next, activity] {
+        Activity::adopt(activity);
+        return read_entry(part);
+      }));
+      ++next;
+    }
+    add_samples(film, reading.front().get());
+    reading.pop_front();
   }
   film.record = set.record;
   // What is whole is no share any more.

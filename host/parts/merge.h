@@ -51,8 +51,8 @@ void check_inside(const PartSet& set, const SampleRange& range);
 /// (without one: of whole_samples) is missing.
 void check_whole(const PartSet& set, const std::optional<SampleRange>& range, bool allow_gaps);
 
-/// The film of all samples, with squares if all parts have them. Parts are read one after another:
-/// it takes the memory of the film and of one part. Throws InputError for damaged parts.
+/// The film of all samples, with squares if all parts have them. As many parts are read at a time as
+/// there are threads: it takes the memory of the film and of those. Throws InputError for damaged parts.
 [[nodiscard]] Film merge(const PartSet& set);
 
 }  // namespace facet

@@ -121,61 +121,83 @@ int read_exponent(const Image& image, const std::string& key, const std::string&
   return static_cast<int>(*exponent);
 }
 
-void read_sums(Film& film, Sums sums, const Image& image, const std::string& prefix, int exponent,
-               const std::string& file) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const PairPlanes planes(image, prefix + colors[c], file);
-    for (std::size_t i = 0; i < film.pixels.size(); ++i)
-      (film.pixels[i].*sums)[c] = scaled(planes.get(i), exponent);
+/// Reads the pixels of a part one by one, and checks each.
+class PartReader {
+ public:
+  PartReader(const Image& image, std::uint32_t most_samples, const std::string& file)
+      : width_(static_cast<std::size_t>(image.width())),
+        most_samples_(most_samples),
+        file_(file),
+        samples_(image, "samples", file),
+        nonzero_(image, "samples.nonzero", file),
+        sums_(planes_of(image, "sum.")),
+        sum_scale_(read_exponent(image, sum_exponent_key, file)) {
+    for (std::size_t c = 0; c < 3; ++c) means_[c] = image.plane(find_plane(image, colors[c], file));
+    if (image.find_channel("square.R") < 0) return;
+    squares_ = planes_of(image, "square.");
+    square_scale_ = read_exponent(image, square_exponent_key, file);
   }
-}
 
-/// Throws InputError about a pixel of a file that was changed after the render, or never was one.
-[[noreturn]] void fail_at(const Film& film, std::size_t i, const std::string& file,
-                          const std::string& what) {
-  const auto width = static_cast<std::size_t>(film.width);
-  throw InputError(fmt::format("{}: damaged, or changed after it was rendered: pixel ({}, {}) {}",
-                               file, i % width, i / width, what));
-}
+  void read(std::size_t i, PixelSums& pixel) const {
+    pixel.samples = count(samples_, "samples", i);
+    pixel.nonzero = count(nonzero_, "samples.nonzero", i);
+    if (pixel.nonzero > pixel.samples)
+      fail_at(i, fmt::format("has {} samples, but {} of them are not zero", pixel.samples,
+                             pixel.nonzero));
+    for (std::size_t c = 0; c < 3; ++c) {
+      pixel.values[c] = scaled(sums_[c].get(i), sum_scale_);
+      if (!squares_.empty()) pixel.squares[c] = scaled(squares_[c].get(i), square_scale_);
+    }
+    check_means(i, pixel);
+  }
 
-void read_counts(Film& film, std::uint32_t PixelSums::*counts, const Image& image,
-                 const std::string& channel, std::uint32_t most, const std::string& file) {
-  const PairPlanes planes(image, channel, file);
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+ private:
+  using Planes = PairPlanes<const float*>;
+
+  [[nodiscard]] std::vector<Planes> planes_of(const Image& image, const std::string& prefix) const {
+    std::vector<Planes> planes;
+    for (const char* color : colors) planes.emplace_back(image, prefix + color, file_);
+    return planes;
+  }
+
+  [[nodiscard]] std::uint32_t count(const Planes& planes, const char* channel,
+                                    std::size_t i) const {
     const double count = planes.get(i);
-    if (!(count >= 0 && count <= most && count == std::floor(count)))
-      fail_at(film, i, file,
-              fmt::format("has {} in {}, but there are {} samples", count, channel, most));
-    film.pixels[i].*counts = static_cast<std::uint32_t>(count);
+    if (!(count >= 0 && count <= most_samples_ && count == std::floor(count)))
+      fail_at(i,
+              fmt::format("has {} in {}, but there are {} samples", count, channel, most_samples_));
+    return static_cast<std::uint32_t>(count);
   }
-}
 
-void check_nonzero(const Film& film, const std::string& file) {
-  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    const PixelSums& pixel = film.pixels[i];
-    if (pixel.nonzero <= pixel.samples) continue;
-    fail_at(
-        film, i, file,
-        fmt::format("has {} samples, but {} of them are not zero", pixel.samples, pixel.nonzero));
-  }
-}
-
-/// Means follow from sums: a file that another program has changed or stored with less precision is
-/// found.
-void check_means(const Film& film, const Image& image, const std::string& file) {
-  const Image means = develop(film, false);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int channel = image.find_channel(colors[c]);
-    if (channel < 0) throw InputError(fmt::format("{}: lacks the channel {}", file, colors[c]));
-    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-      const float told = image.plane(channel)[i];
-      const float mean = means.plane(static_cast<int>(c))[i];
+  /// Means follow from sums: a file that another program has changed or stored with less precision
+  /// is found.
+  void check_means(std::size_t i, const PixelSums& pixel) const {
+    const std::array<double, 3> means = pixel.mean();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float told = means_[c][i];
+      const auto mean = static_cast<float>(means[c]);
       if (told == mean || (std::isnan(told) && std::isnan(mean))) continue;
-      fail_at(film, i, file,
-              fmt::format("has {} = {}, but its sum makes {}", colors[c], told, mean));
+      fail_at(i, fmt::format("has {} = {}, but its sum makes {}", colors[c], told, mean));
     }
   }
-}
+
+  /// Throws InputError about a pixel of a file that was changed after the render, or never was one.
+  [[noreturn]] void fail_at(std::size_t i, const std::string& what) const {
+    throw InputError(fmt::format("{}: damaged, or changed after it was rendered: pixel ({}, {}) {}",
+                                 file_, i % width_, i / width_, what));
+  }
+
+  std::size_t width_;
+  std::uint32_t most_samples_;
+  const std::string& file_;
+  Planes samples_;
+  Planes nonzero_;
+  std::vector<Planes> sums_;
+  std::vector<Planes> squares_;
+  int sum_scale_;
+  int square_scale_ = 0;
+  std::array<const float*, 3> means_{};
+};
 
 }  // namespace
 
@@ -216,16 +238,8 @@ Image make_part(const Film& film, bool with_variance, const std::vector<WordChan
 Film film_of_part(const Image& image, std::uint32_t most_samples, const std::string& name) {
   Film film =
       make_film(image.width(), image.height(), image.window, image.find_channel("square.R") >= 0);
-  read_counts(film, &PixelSums::samples, image, "samples", most_samples, name);
-  read_counts(film, &PixelSums::nonzero, image, "samples.nonzero", most_samples, name);
-  check_nonzero(film, name);
-  read_sums(film, &PixelSums::values, image, "sum.", read_exponent(image, sum_exponent_key, name),
-            name);
-  if (film.has_squares) {
-    read_sums(film, &PixelSums::squares, image, "square.",
-              read_exponent(image, square_exponent_key, name), name);
-  }
-  check_means(film, image, name);
+  const PartReader reader(image, most_samples, name);
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) reader.read(i, film.pixels[i]);
   return film;
 }
 

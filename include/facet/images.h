@@ -8,7 +8,11 @@
 
 namespace facet {
 
+/// How an EXR is packed: to be small, or not at all, which is faster to write and to read.
+enum class ExrCompression { zip, uncompressed };
+
 struct WriteOptions {
+  ExrCompression compression = ExrCompression::zip;
   float exposure = 0;     ///< of PNGs: stops, a factor of 2^exposure
   bool variance = false;  ///< of EXRs: variance channels; the film must have squares
   bool error = false;     ///< of EXRs: channels of each pixel's standard error; likewise

@@ -7,7 +7,7 @@ set -eu
 
 submit=$1 a=$2 a_folder=$3 b=$4 b_folder=$5
 shift 5
-end=$(($(date +%s) + 170))
+end=$(($(date +%s) + 1500))
 
 # Waits until a checkpoint of a folder is there and sets $part to whose it is.
 find_checkpoint() {
@@ -44,7 +44,8 @@ while [ -n "$(squeue --noheader)" ]; do
     exit 1
   }
   # Slurm lets two minutes pass before it starts a job again.
-  for job in $(squeue --noheader --array --states=PENDING --format='%i %r' | awk '$2 == "BeginTime" { print $1 }'); do
+  for job in $(squeue --noheader --array --states=PENDING --format='%i %r' |
+    awk '$2 == "BeginTime" { print $1 }'); do
     scontrol update JobId="$job" StartTime=now 2>/dev/null || true
   done
   sleep 0.5
