@@ -17,6 +17,7 @@
 #include "core/memory.h"
 #include "core/print.h"
 #include "core/text_file.h"
+#include "door/open_backend.h"
 #include "door/warnings.h"
 #include "image/film.h"
 #include "parts/part.h"
@@ -57,6 +58,7 @@ class RenderJob {
     render(*backend);
     const std::vector<std::string> messages = backend->validation_messages();
     for (const std::string& message : messages) say("validation: {}\n", message);
+    for (const std::string& remark : backend->remarks()) say("warning: {}\n", remark);
     outcome_.interrupted = was_interrupted();
     write();
     remove_checkpoint();
@@ -75,6 +77,8 @@ class RenderJob {
   void check_checkpoint() const {
     if (!options_.checkpoint) return;
     const std::string& file = *options_.checkpoint;
+    if (!options_.backend.is_reference() && !shared_devices(options_.backend.device).empty())
+      throw InputError("--checkpoint: renders that several devices share are not saved midway");
     if (!is_exr(file)) throw InputError(fmt::format("{}: a checkpoint is an .exr", file));
     std::error_code unknown;
     if (std::filesystem::is_other(file, unknown))

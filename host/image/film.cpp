@@ -34,6 +34,15 @@ Film make_film(int width, int height, const ImageWindow& window, bool with_squar
   return film;
 }
 
+void add_sums(PixelSums& sums, const PixelSums& more) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    sums.values[c] += more.values[c];
+    sums.squares[c] += more.squares[c];
+  }
+  sums.samples += more.samples;
+  sums.nonzero += more.nonzero;
+}
+
 double variance_of_mean(double sum, double squares, double n) {
   if (n < 2) return 0;
   const double mean = sum / n;
@@ -65,12 +74,8 @@ void add_samples(Film& film, const Film& more) {
     PixelSums* sums = &film.pixels[film.index(x, y + row)];
     const PixelSums* added = &more.pixels[more.index(0, row)];
     for (int i = 0; i < more.width; ++i, ++sums, ++added) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        sums->values[c] += added->values[c];
-        if (film.has_squares) sums->squares[c] += added->squares[c];
-      }
-      sums->samples += added->samples;
-      sums->nonzero += added->nonzero;
+      add_sums(*sums, *added);
+      if (!film.has_squares) sums->squares = {};
     }
   }
 }

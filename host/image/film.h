@@ -7,6 +7,9 @@ namespace facet {
 /// All sums zero. window: where the film lies in the whole image.
 [[nodiscard]] Film make_film(int width, int height, const ImageWindow& window, bool with_squares);
 
+/// Adds the samples of another estimate of the pixel.
+void add_sums(PixelSums& sums, const PixelSums& more);
+
 /// Adds the samples of a film whose pixels are among those of the first, by their windows. The sum
 /// keeps squares only if both have them.
 void add_samples(Film& film, const Film& more);

@@ -61,6 +61,9 @@ class Backend {
   /// What Vulkan's validation layers have said so far, a line each.
   [[nodiscard]] virtual std::vector<std::string> validation_messages() const { return {}; }
 
+  /// What a caller should know of the renders so far, a line each.
+  [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
+
   /// Gets everything ready: packing, uploading and compiling. Throws Error for a request that does
   /// not fit the scene, and for a scene that does not fit the device. The backend must outlive the
   /// rendering.
@@ -72,7 +75,9 @@ class Backend {
 };
 
 struct BackendOptions {
-  std::string device = {};  ///< of Vulkan: an index or part of a name; empty: the best
+  /// Of Vulkan: an index or part of a name; empty: the best. "all", or several with commas between:
+  /// they share the samples of each render; "reference" among them is the reference in float.
+  std::string device = {};
   std::optional<Precision> reference = {};  ///< the reference in this precision, and no device
   bool validate = false;                    ///< turn Vulkan's validation layers on
 };

@@ -1,0 +1,80 @@
+// `facet render --device all`: two versions of a driver at once, and the reference as a third.
+#include "cli/merge.h"
+
+namespace facet::test {
+
+namespace {
+
+class DevicesTest : public MergeCliTest {
+ protected:
+  void SetUp() override {
+    MergeCliTest::SetUp();
+    const Result check = finish(start_command({"sh", FACET_SECOND_DRIVER_SCRIPT, "--check"}));
+    if (check.code == 77) GTEST_SKIP() << check.err;
+    ASSERT_EQ(check.code, 0) << check.err;
+    const std::string folder = trimmed_line(check.out.substr(check.out.rfind(" in ") + 4));
+    // The system's own, whose name has the architecture's in it.
+    std::string own;
+    const std::filesystem::path place = "/usr/share/vulkan/icd.d";
+    for (const auto& entry : std::filesystem::directory_iterator(place)) {
+      if (entry.path().filename().string().starts_with("lvp_icd")) own = entry.path().string();
+    }
+    ASSERT_NE(own, "");
+    variables_ = {"VK_DRIVER_FILES=" + own + ":" + folder + "/icd.json",
+                  "VK_ICD_FILENAMES=" + own + ":" + folder + "/icd.json",
+                  "LD_LIBRARY_PATH=" + folder};
+  }
+
+  static std::string trimmed_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+  }
+
+  [[nodiscard]] Result render_on(const std::string& devices, const std::string& output) const {
+    return run({"render", "scene.xml", "--spp", "70", "--quiet", "-o", output, "--device", devices},
+               variables_);
+  }
+
+  std::vector<std::string> variables_;
+};
+
+void expect_equal(const Image& a, const Image& b) {
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < a.width() * a.height(); ++i) ASSERT_EQ(a.plane(c)[i], b.plane(c)[i]) << i;
+  }
+}
+
+TEST_F(DevicesTest, TwoDriversGiveTheBitsOfEither) {
+  const Result all = render_on("all", "all.exr");
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_EQ(all.err, "");
+  ASSERT_EQ(render_on("0", "one.exr").code, 0);
+  ASSERT_EQ(render_on("1,0", "two.exr").code, 0);
+  const std::string drivers = metadata(read("all.exr"), "facet.driver");
+  EXPECT_NE(drivers.find("; "), std::string::npos) << drivers;
+  EXPECT_EQ(metadata(read("all.exr"), "facet.samples"), "0:70");
+  expect_equal(read("one.exr"), read("all.exr"));
+  expect_equal(read("two.exr"), read("all.exr"));
+}
+
+TEST_F(DevicesTest, TheReferenceIsAThirdAndToldOf) {
+  const Result result = render_on("0,1,reference", "a.exr");
+  ASSERT_EQ(result.code, 0) << result.err;
+  expect_words(result.err, {"warning: ", "CPU reference in float", "with other bits"});
+  EXPECT_EQ(metadata(read("a.exr"), "facet.samples"), "0:70");
+  EXPECT_EQ(metadata(read("a.exr"), "facet.backend"), "vulkan; reference");
+}
+
+TEST_F(DevicesTest, WhatOneDeviceAloneCanDoIsRefused) {
+  for (const Names& options : std::initializer_list<Names>{
+           {"--error", "1%"}, {"--time", "3"}, {"--adaptive"}, {"--checkpoint", "c.exr"}}) {
+    Names words{"render", "scene.xml", "--spp", "64", "-o", "none.exr", "--device", "all"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Result result = run(words, variables_);
+    EXPECT_EQ(result.code, 2);
+    expect_words(result.err, {"several devices share"});
+  }
+}
+
+}  // namespace
+
+}  // namespace facet::test
