@@ -29,9 +29,10 @@ void add_backend_options(Command& command, BackendChoice& choice) {
   command.word("--precision", choice.precision, precision_words,
                "Precision of the reference (default: float)");
   add_device_option(command, choice.device);
-  command.describe("--device",
-                   "Vulkan device, by index or part of its name (see facet devices); all, or several "
-                   "with commas between, reference among them, share the samples");
+  command.describe(
+      "--device",
+      "Vulkan device, by index or part of its name (see facet devices); all, or several "
+      "with commas between, reference among them, share the samples");
   command.flag("--validate", choice.validate,
                "Turn the Vulkan validation layers on; exit 1 on any message of theirs");
 }

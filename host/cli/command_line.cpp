@@ -50,7 +50,7 @@ std::string shown(const std::optional<Number>& /*value*/) {
 
 /// The message for a command line that cannot be parsed.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error,
-                          const std::string& first, const std::vector<std::string>& planned) {
+                          const std::string& first) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   if (first.starts_with('-'))
@@ -59,8 +59,6 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error,
     return fmt::format("{}; \"facet {}--help\" lists what there is", error.what(),
                        first.empty() ? "" : first + " ");
   }
-  if (std::find(planned.begin(), planned.end(), first) != planned.end())
-    return fmt::format("the command \"{}\" is not supported yet", first);
   return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
 }
 
@@ -202,12 +200,12 @@ Command CommandLine::add(const std::string& name, const std::string& help) {
   return {*app_->add_subcommand(name, help), chosen_, *limits_};
 }
 
-ExitCode CommandLine::run(int argc, char** argv, const std::vector<std::string>& planned) {
+ExitCode CommandLine::run(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app_->exit(error));
-    throw InputError(usage_message(*app_, error, argc > 1 ? argv[1] : "", planned));
+    throw InputError(usage_message(*app_, error, argc > 1 ? argv[1] : ""));
   }
   set_limits(*limits_);
   return chosen_();

@@ -118,9 +118,9 @@ class CommandLine {
 
   Command add(const std::string& name, const std::string& help);
 
-  /// Runs the subcommand that the arguments name. `planned`: those that are still to come. Throws
-  /// InputError for arguments that cannot be understood.
-  ExitCode run(int argc, char** argv, const std::vector<std::string>& planned);
+  /// Runs the subcommand that the arguments name. Throws InputError for arguments that cannot be
+  /// understood.
+  ExitCode run(int argc, char** argv);
 
  private:
   std::unique_ptr<CLI::App> app_;

@@ -11,6 +11,7 @@ void add_bench_command(CommandLine& line);
 void add_tradeoff_command(CommandLine& line);
 void add_parity_command(CommandLine& line);
 void add_merge_command(CommandLine& line);
+void add_farm_plan_command(CommandLine& line);
 void add_test_command(CommandLine& line);
 void add_extremes_command(CommandLine& line);
 void add_info_command(CommandLine& line);

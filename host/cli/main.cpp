@@ -23,9 +23,6 @@ namespace {
 
 const std::chrono::steady_clock::time_point process_start = std::chrono::steady_clock::now();
 
-/// Commands of the contract that are still to come.
-const std::vector<std::string> planned_commands{"farm-plan"};
-
 /// "facet 0.1.0 (...), needs Vulkan 1.1"
 std::string version_text() {
   return fmt::format("facet {} (built with {}), needs Vulkan {}", FACET_VERSION, FACET_COMPILER,
@@ -49,6 +46,7 @@ int run(int argc, char** argv) {
                    version_text());
   add_render_command(line);
   add_merge_command(line);
+  add_farm_plan_command(line);
   add_compare_command(line);
   add_bench_command(line);
   add_tradeoff_command(line);
@@ -57,7 +55,7 @@ int run(int argc, char** argv) {
   add_extremes_command(line);
   add_info_command(line);
   add_devices_command(line);
-  return with_output_written(static_cast<int>(line.run(argc, argv, planned_commands)));
+  return with_output_written(static_cast<int>(line.run(argc, argv)));
 }
 
 /// Descriptors 0 to 2 that whoever started the program has closed would go to the next files that

@@ -60,9 +60,18 @@ std::string share_options(const Division& d, const TileShare& share, const Image
   if (d.parts > 1 || d.tiles == 1)
     options += fmt::format(" --part={}/{}", share.part.index, d.parts);
   if (d.tiles > 1) options += fmt::format(" --tile={}/{}", share.tile.index, d.tiles);
-  options += fmt::format(" --spp={} --resolution={}x{}", d.samples.end, size.width, size.height);
+  return options + whole_options(d, size);
+}
+
+std::string whole_options(const Division& d, const ImageSize& size) {
+  std::string options =
+      fmt::format(" --spp={} --resolution={}x{}", d.samples.end, size.width, size.height);
   if (d.pixels != Crop{0, 0, size.width, size.height}) options += " --crop=" + crop_text(d.pixels);
   return options;
+}
+
+long long area(const Crop& pixels) {
+  return static_cast<long long>(pixels.x1 - pixels.x0) * (pixels.y1 - pixels.y0);
 }
 
 std::string crop_text(const Crop& pixels) {

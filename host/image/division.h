@@ -30,6 +30,12 @@ struct TileShare {
 [[nodiscard]] std::string share_options(const Division& division, const TileShare& share,
                                         const ImageSize& size);
 
+/// Those that ask for all shares together.
+[[nodiscard]] std::string whole_options(const Division& division, const ImageSize& size);
+
+/// Number of pixels.
+[[nodiscard]] long long area(const Crop& pixels);
+
 /// "0,0,640,480", as --crop reads it.
 [[nodiscard]] std::string crop_text(const Crop& pixels);
 

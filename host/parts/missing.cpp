@@ -32,10 +32,6 @@ std::string counted(const char* what, const std::vector<std::uint32_t>& numbers,
 
 }  // namespace
 
-long long area(const Crop& pixels) {
-  return static_cast<long long>(pixels.x1 - pixels.x0) * (pixels.y1 - pixels.y0);
-}
-
 std::vector<TileShare> missing_shares(const PartSet& set) {
   std::vector<TileShare> missing;
   if (!set.record.division) return missing;

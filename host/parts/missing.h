@@ -18,7 +18,4 @@ namespace facet {
 /// The command that renders a share, into the folder that the first part lies in.
 [[nodiscard]] std::string share_command(const PartSet& set, const TileShare& share);
 
-/// Number of pixels.
-[[nodiscard]] long long area(const Crop& pixels);
-
 }  // namespace facet

@@ -13,7 +13,6 @@ namespace facet::test {
 
 namespace {
 
-/// Not of Slurm; the names of the parts' files say which they are.
 class SlurmTest : public CliTest {
  protected:
   void SetUp() override {
@@ -77,6 +76,20 @@ TEST_F(SlurmTest, PartsThatWereKilledAndRequeuedAreTheWhole) {
   EXPECT_EQ(restarts, 2U) << result.out;
   expect_whole(a, "a/cbox_conductors_mis.exr", options);
   expect_whole(b, "b/veach_mi_mis.exr", options);
+}
+
+TEST_F(SlurmTest, AFarmPlansScriptRendersTheWhole) {
+  const std::vector<std::string> options{"--spp", "3000"};
+  const Result plan = run({"farm-plan", "scene.xml", "--spp", "3000", "--nodes", "4", "--measure",
+                           "0.2", "--script", "plan.sh"});
+  ASSERT_EQ(plan.code, 0) << plan.err;
+  const Result result = script(
+      {"sh", "-c", "sh plan.sh && while [ -n \"$(squeue --noheader)\" ]; do sleep 0.2; done"},
+      {std::string("FACET=") + FACET_PROGRAM});
+  ASSERT_EQ(result.code, 0) << result.out << result.err;
+  std::filesystem::rename(folder_.file("scene.exr"), folder_.file("merged.exr"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("scene.png")));
+  expect_whole("scene.xml", "merged.exr", options);
 }
 
 }  // namespace
