@@ -99,7 +99,7 @@ class PlainExr {
   }
 
   exr_context_t file_ = nullptr;
-  exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
+  exr_decode_pipeline_t pipeline_{};
   int first_row_ = 0;
 };
 

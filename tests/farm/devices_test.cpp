@@ -56,6 +56,29 @@ TEST_F(DevicesTest, TwoDriversGiveTheBitsOfEither) {
   expect_equal(read("two.exr"), read("all.exr"));
 }
 
+TEST_F(DevicesTest, PartsOfUnlikeMachinesMergeToTheBitsOfOne) {
+  const auto part = [&](const std::string& name, int i, const std::string& device,
+                        std::vector<std::string> variables) {
+    variables.insert(variables.end(), variables_.begin(), variables_.end());
+    const Result result = run({"render", "scene.xml", "--spp", "70", "--quiet", "-o", name,
+                               "--part", std::to_string(i) + "/4", "--device", device},
+                              variables);
+    ASSERT_EQ(result.code, 0) << result.err;
+  };
+  for (int i = 1; i <= 4; ++i) part(std::to_string(i) + ".exr", i, "0", {});
+  const Image one = merge({"1.exr", "2.exr", "3.exr", "4.exr"});
+  part("2.exr", 2, "1", {});
+  part("3.exr", 3, "0", {"LP_NUM_THREADS=1"});
+  part("4.exr", 4, "1", {"LP_NUM_THREADS=3"});
+  const Image unlike = merge({"1.exr", "2.exr", "3.exr", "4.exr"});
+  EXPECT_NE(metadata(unlike, "facet.driver"), metadata(one, "facet.driver"));
+  ASSERT_EQ(one.channels(), unlike.channels());
+  for (std::size_t c = 0; c < one.channels().size(); ++c) {
+    for (int i = 0; i < one.width() * one.height(); ++i)
+      ASSERT_EQ(one.plane(static_cast<int>(c))[i], unlike.plane(static_cast<int>(c))[i]);
+  }
+}
+
 TEST_F(DevicesTest, TheReferenceIsAThirdAndToldOf) {
   const Result result = render_on("0,1,reference", "a.exr");
   ASSERT_EQ(result.code, 0) << result.err;

@@ -114,7 +114,7 @@ std::vector<Seed> seeds() {
   list.push_back({"image", "map.png", png, true});
   list.push_back({"image", "sky.exr", exr, true});
   list.push_back({"image", "layers.exr", written(".exr", [](const auto& f) {
-                    write_exr(f, make_picture({"R", "G", "B", "A", "n.X"}), ExrCompression::fast);
+                    write_exr(f, make_picture({"R", "G", "B", "A", "n.X"}), ExrCompression::uncompressed);
                   })});
   std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 3\n";
   for (int i = 0; i < 6; ++i) hdr += std::string("\x40\x50\x60\x80", 4);
@@ -127,7 +127,7 @@ std::vector<Seed> seeds() {
                     write_exr(f, make_part(state.film, true));
                   })});
   list.push_back({"part", "checkpoint.exr", written(".exr", [&](const auto& f) {
-                    write_exr(f, make_checkpoint(state), ExrCompression::fast);
+                    write_exr(f, make_checkpoint(state), ExrCompression::uncompressed);
                   })});
   add_scenes(list);
   return list;

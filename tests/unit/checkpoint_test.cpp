@@ -60,7 +60,7 @@ RenderState make_state() {
 class CheckpointTest : public ::testing::Test {
  protected:
   [[nodiscard]] std::string write(const RenderState& state) const {
-    write_exr(folder_.file("ck.exr"), make_checkpoint(state), ExrCompression::fast);
+    write_exr(folder_.file("ck.exr"), make_checkpoint(state), ExrCompression::uncompressed);
     return folder_.file("ck.exr").string();
   }
   test::TemporaryFolder folder_;
