@@ -102,7 +102,7 @@ own_apt_get() { apt-get -c "$part/apt.conf" -q -y "$@" >"$part/log" 2>&1 </dev/n
 # The first thing that apt complained about.
 complaint() { sed -n 's/^[EW]: //p' "$part/log" | head -n 1; }
 
-# Gets the lists of the first mirror that has backports.
+# Gets the lists of the first mirror that has the suite.
 update_lists() {
   options=
   if [ -f "$keyring" ]; then options="[signed-by=$keyring] "; fi
@@ -124,10 +124,11 @@ candidate() {
     awk '$1 == "Candidate:" && $2 != "(none)" { print $2 }'
 }
 
-# Downloads packages, and those of their dependencies that this system lacks or has too old.
+# Downloads packages, installed here or not, and those of their dependencies that this system lacks
+# or has too old.
 download() {
   say "downloading $*"
-  own_apt_get install --download-only --no-install-recommends "$@" ||
+  own_apt_get install --reinstall --download-only --no-install-recommends "$@" ||
     none "cannot download $*: $(complaint)"
 }
 

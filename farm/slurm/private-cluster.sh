@@ -6,8 +6,8 @@
 # to try array jobs without a cluster, and for facet's own test of them. The command finds sbatch,
 # squeue and the others in PATH. Debian's packages come through apt and are unpacked into
 # $FACET_SLURM (default: facet/slurm in the user's cache folder), without root or systemd.
-# The daemons listen on the loopback, write to a temporary folder, run jobs of this user alone and
-# believe whoever connects, so this is no cluster to leave running.
+# The daemons write to a temporary folder, run jobs of this user alone, and believe those alone who
+# have this call's key (munge).
 # Exit codes: 77 where there is no Slurm, with a line that says why; 2 wrong usage; else 0, or what
 # COMMAND returns.
 set -eu
@@ -21,7 +21,7 @@ fetch_slurm() {
   write_apt_settings
   update_lists
   [ -n "$(candidate slurmctld)" ] || none "$suite has no slurmctld"
-  download slurmctld slurmd slurm-client
+  download slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge libmunge2
   check_signed
   for archive in "$part"/cache/archives/*.deb; do dpkg-deb -x "$archive" "$part/kept"; done
   candidate slurmctld >"$part/kept/version"
@@ -39,8 +39,9 @@ SlurmctldPort=$port
 SlurmdPort=$((port + 1))
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
-AuthType=auth/none
-CredType=cred/none
+AuthType=auth/munge
+AuthInfo=socket=$work/munge.socket
+CredType=cred/munge
 PluginDir=$plugins
 StateSaveLocation=$work/state
 SlurmdSpoolDir=$work/spool
@@ -60,6 +61,15 @@ ReturnToService=2
 NodeName=$node NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=here Nodes=$node Default=YES State=UP
 END
+}
+
+# Starts the daemon that signs what the others and the commands say to one another.
+start_munge() {
+  (umask 077 && head -c 128 /dev/urandom >"$work/munge.key")
+  munged --foreground --force --key-file="$work/munge.key" --socket="$work/munge.socket" \
+    --pid-file="$work/munge.pid" --log-file="$work/munge.log" --seed-file="$work/munge.seed" \
+    >"$work/munge.out" 2>&1 &
+  signer=$!
 }
 
 # Starts both daemons; fails where they do not find each other.
@@ -88,19 +98,24 @@ stop_cluster() {
     tries=$((tries + 1))
     sleep 0.5
   done
-  kill "$daemon" "$controller" 2>/dev/null || true
-  wait "$daemon" "$controller" 2>/dev/null || true
+  end "$daemon" "$controller"
+}
+
+end() {
+  kill "$@" 2>/dev/null || true
+  wait "$@" 2>/dev/null || true
 }
 
 run_on_cluster() {
   work=$(mktemp -d)
-  trap 'stop_cluster; rm -rf "$work"' EXIT
+  trap 'stop_cluster; end "$signer"; rm -rf "$work"' EXIT
   trap 'exit 130' INT TERM HUP
   mkdir "$work/state" "$work/spool"
   node=$(uname -n | cut -d . -f 1)
-  controller= daemon=
+  controller= daemon= signer=
   export SLURM_CONF="$work/slurm.conf" PATH="$kept/usr/bin:$kept/usr/sbin:$PATH"
   export LD_LIBRARY_PATH="$plugins:$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+  start_munge
   for attempt in 1 2 3 4 5; do
     port=$((20000 + ($$ * 10 + attempt * 2) % 20000))
     if start_cluster; then

@@ -4,7 +4,8 @@
 # FOLDER, which all nodes must see, gets parts/, checkpoints/, logs/ and in the end SCENE.exr and
 # SCENE.png. A part that is preempted, or whose node fails, continues where it stopped. Given again,
 # the same command renders the parts that are missing. $FACET names the program (default: facet, by
-# PATH); $SBATCH_OPTIONS holds more options of sbatch, as "--partition=cpu --cpus-per-task=8".
+# PATH), $SBATCH_OPTIONS more options of sbatch, as "--partition=cpu --cpus-per-task=8", and
+# $FACET_MERGE_OPTIONS more of facet merge, as "--aov=variance".
 # Prints the numbers of the array's job and of the merge's.
 set -eu
 
@@ -25,6 +26,15 @@ FACET_SCENE=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
 export FACET_SCENE
 [ -f "$FACET_SCENE" ] || fail "$3: no such file"
 shift 3
+# Parts of two renders in one folder would be one image's.
+request="$FACET_PARTS parts of $FACET_SCENE $*"
+if [ ! -f "$FACET_FOLDER/request" ]; then
+  echo "$request" >"$FACET_FOLDER/request"
+elif [ "$request" != "$(cat "$FACET_FOLDER/request")" ]; then
+  fail "$FACET_FOLDER is that of another render: $(cat "$FACET_FOLDER/request")"
+fi
+# sbatch reads % in the names of logs.
+logs=$(printf '%s' "$FACET_FOLDER/logs" | sed 's/%/%%/g')
 
 # Which parts there are not yet, as Slurm reads them: "3,5-9".
 indices=
@@ -42,11 +52,11 @@ done
 after=
 if [ -n "$indices" ]; then
   # shellcheck disable=SC2086
-  array=$(sbatch --parsable --array="${indices#,}" --output="$FACET_FOLDER/logs/%a.log" \
+  array=$(sbatch --parsable --array="${indices#,}" --output="$logs/%a.log" \
     ${SBATCH_OPTIONS:-} "$here/part.sbatch" "$@")
   echo "$array"
-  after="--dependency=afterok:$array --kill-on-invalid-dep=yes"
+  after="--dependency=afterok:${array%%;*} --kill-on-invalid-dep=yes"
 fi
 # shellcheck disable=SC2086
-sbatch --parsable $after --output="$FACET_FOLDER/logs/merge.log" ${SBATCH_OPTIONS:-} \
+sbatch --parsable $after --output="$logs/merge.log" ${SBATCH_OPTIONS:-} \
   "$here/merge.sbatch"

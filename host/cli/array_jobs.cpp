@@ -17,29 +17,31 @@ namespace facet::cli {
 
 namespace {
 
-/// Variables by which an engine tells the processes of a job apart; nullptr: it has none such.
+/// Variables by which an engine tells the processes of a job apart, where it has such.
 struct Engine {
   const char* name;
   const char* index;
-  int base;           ///< index of the first process
-  const char* count;  ///< of processes
-  const char* first;  ///< index of this job's first process, `base` where the job is whole
-  const char* last;   ///< index of this job's last process
+  int base;                     ///< index of the first process
+  const char* count = nullptr;  ///< of processes
+  const char* first = nullptr;  ///< index of this job's first process, `base` where it is whole
+  const char* last = nullptr;   ///< index of this job's last process
+  const char* step = nullptr;   ///< between indices
 };
 
 // From the engines' manuals.
 constexpr std::array engines{
     Engine{"slurm", "SLURM_ARRAY_TASK_ID", 1, "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN",
            "SLURM_ARRAY_TASK_MAX"},
-    Engine{"srun", "SLURM_PROCID", 0, "SLURM_NTASKS", nullptr, nullptr},
-    Engine{"openmpi", "OMPI_COMM_WORLD_RANK", 0, "OMPI_COMM_WORLD_SIZE", nullptr, nullptr},
-    Engine{"mpich", "PMI_RANK", 0, "PMI_SIZE", nullptr, nullptr},
-    Engine{"sge", "SGE_TASK_ID", 1, nullptr, "SGE_TASK_FIRST", "SGE_TASK_LAST"},
-    Engine{"lsf", "LSB_JOBINDEX", 1, nullptr, nullptr, nullptr},
-    Engine{"pbs", "PBS_ARRAY_INDEX", 1, nullptr, nullptr, nullptr},
-    Engine{"aws", "AWS_BATCH_JOB_ARRAY_INDEX", 0, "AWS_BATCH_JOB_ARRAY_SIZE", nullptr, nullptr},
-    Engine{"google", "BATCH_TASK_INDEX", 0, "BATCH_TASK_COUNT", nullptr, nullptr},
-    Engine{"kubernetes", "JOB_COMPLETION_INDEX", 0, nullptr, nullptr, nullptr},
+    Engine{"srun", "SLURM_PROCID", 0, "SLURM_NTASKS"},
+    Engine{"openmpi", "OMPI_COMM_WORLD_RANK", 0, "OMPI_COMM_WORLD_SIZE"},
+    Engine{"mpich", "PMI_RANK", 0, "PMI_SIZE"},
+    Engine{"sge", "SGE_TASK_ID", 1, nullptr, "SGE_TASK_FIRST", "SGE_TASK_LAST",
+           "SGE_TASK_STEPSIZE"},
+    Engine{"lsf", "LSB_JOBINDEX", 1},
+    Engine{"pbs", "PBS_ARRAY_INDEX", 1},
+    Engine{"aws", "AWS_BATCH_JOB_ARRAY_INDEX", 0, "AWS_BATCH_JOB_ARRAY_SIZE"},
+    Engine{"google", "BATCH_TASK_INDEX", 0, "BATCH_TASK_COUNT"},
+    Engine{"kubernetes", "JOB_COMPLETION_INDEX", 0},
 };
 
 /// The number that a variable holds.
@@ -63,7 +65,8 @@ long long count_in(const Engine& engine, const std::string& asked) {
         fmt::format("{}: the environment does not tell how many there are: {}/N", asked, asked));
   const long long count =
       engine.last == nullptr ? number_of(last, asked) : number_of(last, asked) - engine.base + 1;
-  const bool whole = (engine.first == nullptr || number_of(engine.first, asked) == engine.base) &&
+  const bool whole = (engine.step == nullptr || number_of(engine.step, asked) == 1) &&
+                     (engine.first == nullptr || number_of(engine.first, asked) == engine.base) &&
                      (engine.count == nullptr || number_of(engine.count, asked) == count);
   if (!whole)
     throw InputError(
@@ -76,6 +79,7 @@ long long count_in(const Engine& engine, const std::string& asked) {
 
 std::string engine_names() {
   std::vector<std::string_view> names;
+  names.reserve(engines.size());
   for (const Engine& engine : engines) names.emplace_back(engine.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }

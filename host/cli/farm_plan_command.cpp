@@ -1,12 +1,12 @@
 // facet farm-plan: into how many parts to divide a render, what they take, and the script that
 // submits them, from a short measurement.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/farm_plan_trial.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "cli/render_options.h"
@@ -15,10 +15,10 @@
 #include "core/print.h"
 #include "core/text.h"
 #include "core/text_file.h"
+#include "door/open_backend.h"
 #include "door/warnings.h"
 #include "image/division.h"
-#include "parts/part.h"
-#include "parts/part_file.h"
+#include "image/record.h"
 #include "tradeoff/farm_plan.h"
 
 namespace facet::cli {
@@ -31,30 +31,6 @@ struct FarmPlanOptions {
   double measure = 10;
   double longest_part = 600;
   std::string script;
-};
-
-/// A folder for a trial, which goes with this.
-class TrialFolder {
- public:
-  TrialFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              fmt::format("facet-farm-plan-{}", ::getpid())) {
-    std::error_code error;
-    std::filesystem::create_directory(path_, error);
-    if (error)
-      throw InputError(fmt::format("{}: cannot be made: {}", path_.string(), error.message()));
-  }
-  ~TrialFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TrialFolder(const TrialFolder&) = delete;
-  TrialFolder& operator=(const TrialFolder&) = delete;
-
-  [[nodiscard]] std::string file() const { return (path_ / "part.exr").string(); }
-
- private:
-  std::filesystem::path path_;
 };
 
 class FarmPlanJob {
@@ -73,6 +49,10 @@ class FarmPlanJob {
       return ExitCode::interrupted;
     }
     plan_ = tradeoff::plan_farm(measured_, wish_);
+    constexpr std::uint32_t few_samples = 4;
+    if (measured_.samples < std::min(few_samples, plan_.samples))
+      say("warning: only {} of the samples could be measured; a longer --measure is surer\n",
+          measured_.samples);
     if (!options_.script.empty()) write_script();
     if (!o.json.empty()) write_text(o.json, json_text() + '\n');
     if (o.json != "-") tell();
@@ -85,6 +65,9 @@ class FarmPlanJob {
     request_ = make_request(o);
     if (!options_.nodes)
       throw InputError("farm-plan: --nodes, how many nodes like this one there are, is needed");
+    if (!o.backend.is_reference() && !shared_devices(o.backend.device).empty())
+      throw InputError(
+          "farm-plan: what several devices share is not measured: --device one of them");
     wish_.nodes = *options_.nodes;
     wish_.longest_part = options_.longest_part;
     wish_.error = request_.error;
@@ -130,27 +113,22 @@ class FarmPlanJob {
     pixels_ = {film.window.x, film.window.y, film.window.x + film.width,
                film.window.y + film.height};
     measured_.start_seconds += seconds_since_start() - start - seconds;
-    measure_merging(film);
-  }
-
-  void measure_merging(Film& film) {
-    film.record.stopped_by = StoppedBy::samples;
     film.has_squares = wants_variance(options_.render.aovs);
-    const TrialFolder folder;
-    double start = seconds_since_start();
-    write_exr(folder.file(), make_part(film, film.has_squares),
-              options_.render.writing.compression);
-    measured_.start_seconds += seconds_since_start() - start;
-    measured_.part_bytes = static_cast<double>(std::filesystem::file_size(folder.file()));
-    start = seconds_since_start();
-    (void)open_part(folder.file()).read();
-    measured_.merge_seconds = seconds_since_start() - start;
+    measure_part(film, options_.render.writing.compression, measured_);
   }
 
   /// Of `facet render`, but for part, output and scene.
   [[nodiscard]] std::string render_options() const {
     const Division whole{{0, plan_.samples}, plan_.parts, pixels_, 1};
     std::string options = whole_options(whole, size_) + setting_options(record_, "--spp");
+    const std::string& device = options_.render.backend.device;
+    if (!device.empty()) options += " --device=" + shell_word(device);
+    const ReadingRules& rules = options_.render.reading;
+    if (rules.strict) options += " --strict";
+    if (!rules.assets_below.empty())
+      options +=
+          " --assets-below=" +
+          shell_word(std::filesystem::absolute(rules.assets_below).lexically_normal().string());
     if (wants_variance(options_.render.aovs)) options += " --aov=variance";
     if (options_.render.writing.compression != ExrCompression::zip)
       options += " --compression=none";
@@ -158,11 +136,37 @@ class FarmPlanJob {
   }
 
   void write_script() const {
-    const std::string merge_options = wants_variance(options_.render.aovs) ? " --aov=variance" : "";
-    write_text(options_.script,
-               tradeoff::slurm_script(
-                   plan_, wish_.nodes, render_options(), merge_options,
-                   std::filesystem::absolute(options_.render.scene).lexically_normal().string()));
+    const std::filesystem::path scene =
+        std::filesystem::absolute(options_.render.scene).lexically_normal();
+    std::string merge_options = wants_variance(options_.render.aovs) ? "--aov=variance " : "";
+    if (options_.render.writing.exposure != 0)
+      merge_options += fmt::format("--exposure={}", options_.render.writing.exposure);
+    write_text(
+        options_.script,
+        fmt::format("#!/bin/sh\n"
+                    "# Submits a render to Slurm, in {} parts, and the merge of them, to the "
+                    "folder it is\n"
+                    "# started in. SBATCH_OPTIONS holds more options of sbatch, FACET the "
+                    "program's name.\n"
+                    "export FACET_MERGE_OPTIONS={}\n"
+                    "exec sh {} {} . {}{}\n",
+                    plan_.parts, shell_word(merge_options), shell_word(submit_script()),
+                    plan_.parts, shell_word(scene.string()), render_options()));
+  }
+
+  /// submit.sh, where it is installed with the program or lies in its sources.
+  static std::string submit_script() {
+    std::error_code error;
+    const std::filesystem::path folder =
+        std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    for (const char* place : {"../share/facet/farm/slurm", "../../../farm/slurm"}) {
+      const std::filesystem::path script = folder / place / "submit.sh";
+      if (std::filesystem::exists(script, error))
+        return std::filesystem::canonical(script).string();
+    }
+    throw InputError(fmt::format(
+        "farm-plan: --script: there is no ../share/facet/farm/slurm/submit.sh beside {}",
+        folder.string()));
   }
 
   void tell() const {
@@ -179,8 +183,8 @@ class FarmPlanJob {
                                   100 * *wish_.error)
                     : "");
     put("parts:    {} of {} samples, {} each\n", p.parts, p.part_samples, duration(p.part_seconds));
-    put("nodes:    {}, {} part{} each: {} in all, {:.3g} node-hours{}\n", wish_.nodes, p.rounds,
-        p.rounds == 1 ? "" : "s", duration(p.seconds), p.node_hours,
+    put("nodes:    {}, at most {} part{} each: {} in all, {:.3g} node-hours{}\n", wish_.nodes,
+        p.rounds, p.rounds == 1 ? "" : "s", duration(p.seconds), p.node_hours,
         p.parts < wish_.nodes ? fmt::format("; more than {} would mostly start", p.parts) : "");
     put("merging:  {}, of {}B of parts\n", duration(p.merge_seconds), with_unit_prefix(p.bytes));
     put("a part:   facet render{} --part=I/{} -- {}\n", render_options(), p.parts,
@@ -254,7 +258,8 @@ void add_farm_plan_command(CommandLine& line) {
   command.describe("--spp", "Samples per pixel, of all parts together");
   command.text("--error", o.render.error,
                "Instead of --spp: plan for this relative error, 1% or 0.01");
-  command.number("--nodes", o.nodes, 1U, 1000000U, "How many nodes like this one there are");
+  command.number("--nodes", o.nodes, 1U, 1000000U,
+                 "Needed: how many nodes like this one there are");
   command.number("--measure", o.measure, 0.1, 1e6, "Seconds to measure for");
   command.number("--longest-part", o.longest_part, 1.0, 1e9,
                  "Seconds that a part may take, about; what is lost where a node fails is less, "

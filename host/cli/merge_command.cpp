@@ -82,8 +82,9 @@ class MergeJob {
 
   /// The commands that render what no part holds.
   void print_missing() const {
-    for (const TileShare& share : missing_shares(parts_))
-      say("missing: {}\n", share_command(parts_, share));
+    const std::vector<TileShare> missing = missing_shares(parts_);
+    if (!missing.empty()) say("missing; in the folder of {}:\n", parts_.record.scene);
+    for (const TileShare& share : missing) say("  {}\n", share_command(parts_, share));
   }
 
   void check_squares() const {
@@ -109,6 +110,7 @@ class MergeJob {
         {"width", film_.width},
         {"height", film_.height},
         {"missing", missing().text()},
+        {"missing_shares", missing_text()},
         {"seconds", {{"render", record.seconds}, {"total", seconds_since_start()}}},
         {"parts", files_},
         {"output", written_},
@@ -128,7 +130,15 @@ class MergeJob {
         count == 1 ? "" : "s", tiles == 1 ? "" : fmt::format(" in {} tiles", tiles), film_.width,
         film_.height, film_.record.samples.count(), film_.record.samples.text(),
         gaps.empty() ? "" : "; missing: " + gaps.text());
+    const std::string shares = missing_text();
+    if (!shares.empty()) say("missing: {}\n", shares);
     say("wrote {}\n", fmt::join(written_, " and "));
+  }
+
+  /// For people: shares of the division that no part holds.
+  [[nodiscard]] std::string missing_text() const {
+    const std::vector<TileShare> shares = missing_shares(parts_);
+    return shares.empty() ? "" : describe(shares, *parts_.record.division);
   }
 
   [[nodiscard]] SampleRanges missing() const {

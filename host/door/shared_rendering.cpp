@@ -74,18 +74,30 @@ SharedRendering::SharedRendering(const std::vector<std::unique_ptr<TestableBacke
 
 void SharedRendering::run(const ProgressCallback& progress) {
   start_ = Clock::now();
-  std::vector<std::jthread> threads;
-  for (Worker& worker : workers_) {
-    threads.emplace_back([this, &worker, activity = Activity::innermost()] {
-      Activity::adopt(activity);
-      work(worker);
-    });
+  {
+    std::vector<std::jthread> threads;
+    // Whatever ends this early ends the others' work, too: threads are waited for.
+    const std::unique_ptr<SharedRendering, void (*)(SharedRendering*)> stop(
+        this, [](SharedRendering* rendering) { rendering->stop(); });
+    for (Worker& worker : workers_) {
+      threads.emplace_back([this, &worker, activity = Activity::innermost()] {
+        Activity::adopt(activity);
+        work(worker);
+      });
+    }
+    tell_progress(progress);
   }
-  tell_progress(progress);
-  threads.clear();
   if (failure_) std::rethrow_exception(failure_);
   tell_differences();
 }
+
+void SharedRendering::stop() {
+  const std::scoped_lock lock(mutex_);
+  stopped_ = stopped_ || !is_done();
+  changed_.notify_all();
+}
+
+bool SharedRendering::is_done() const { return left_.empty() && at_work_ == 0; }
 
 std::vector<Radiance> SharedRendering::sample(std::uint32_t index) {
   return workers_.front().backend->start(scene_, settings_)->sample(index);
@@ -97,7 +109,7 @@ RenderRecord SharedRendering::record() const {
   std::vector<std::string> devices;
   std::vector<std::string> drivers;
   for (const Worker& worker : workers_) {
-    if (!worker.first) continue;
+    if (!worker.first || worker.done.samples == 0) continue;
     kinds.push_back(worker.first->record.backend);
     devices.push_back(worker.first->record.device);
     drivers.push_back(worker.first->record.driver);
@@ -113,6 +125,7 @@ RenderRecord SharedRendering::record() const {
 Film SharedRendering::film() const {
   const std::scoped_lock lock(mutex_);
   std::optional<Film> film = films_.sum();
+  const bool has_shares = film.has_value();
   // Before the first share is done, something is better than nothing.
   for (const Worker& worker : workers_) {
     if (!film) film = worker.first;
@@ -126,7 +139,8 @@ Film SharedRendering::film() const {
   const SampleRanges samples = film->record.samples;
   film->record = record();
   film->record.samples = samples;
-  if (samples.missing_in(settings_.samples).empty()) film->record.stopped_by = StoppedBy::samples;
+  if (has_shares && samples.missing_in(settings_.samples).empty())
+    film->record.stopped_by = StoppedBy::samples;
   return *film;
 }
 
@@ -140,7 +154,7 @@ void SharedRendering::work(Worker& worker) {
     RenderSettings settings = settings_;
     settings.samples.end = settings.samples.begin + 1;
     Film first = render(worker, settings, false);
-    {
+    if (first.record.stopped_by == StoppedBy::samples) {
       const std::scoped_lock lock(mutex_);
       worker.first = std::move(first);
     }
@@ -148,6 +162,7 @@ void SharedRendering::work(Worker& worker) {
       settings.samples = share_of(settings_.samples, Share{*share + 1, shares_});
       Film film = render(worker, settings, true);
       finish(*share, std::move(film));
+      share.reset();
     }
   } catch (const Error& error) {
     fail(worker, share, error.kind() == ErrorKind::device, error.what());
@@ -160,17 +175,20 @@ void SharedRendering::work(Worker& worker) {
 }
 
 Film SharedRendering::render(Worker& worker, const RenderSettings& settings, bool counts) {
-  const std::unique_ptr<Rendering> rendering = worker.backend->start(scene_, settings);
   const Clock::time_point start = Clock::now();
+  const std::unique_ptr<Rendering> rendering = worker.backend->start(scene_, settings);
+  const double start_seconds = seconds_since(start);
   rendering->run([&](double /*done*/, const RenderStatistics& statistics) {
     const std::scoped_lock lock(mutex_);
     if (counts) worker.now = statistics;
-    return !stopped_;
+    // Nobody waits for a trial when all is rendered.
+    return !stopped_ && (counts || !is_done());
   });
   Film film = rendering->film();
   const std::scoped_lock lock(mutex_);
   const double samples_of_share = static_cast<double>(settings_.samples_per_pixel()) / shares_;
-  worker.share_seconds = seconds_since(start) * samples_of_share / settings.samples_per_pixel();
+  worker.share_seconds = start_seconds + (seconds_since(start) - start_seconds) * samples_of_share /
+                                             settings.samples_per_pixel();
   worker.now = {};
   if (counts) add_work(worker.done, rendering->statistics());
   return film;
@@ -179,7 +197,7 @@ Film SharedRendering::render(Worker& worker, const RenderSettings& settings, boo
 std::optional<std::uint32_t> SharedRendering::next_share(const Worker& worker) {
   std::unique_lock lock(mutex_);
   // One that is at work may fail, and its share be another's.
-  changed_.wait(lock, [&] { return stopped_ || at_work_ == 0 || is_wanted(worker); });
+  changed_.wait(lock, [&] { return stopped_ || is_done() || is_wanted(worker); });
   if (stopped_ || left_.empty()) return std::nullopt;
   const std::uint32_t share = left_.front();
   left_.pop_front();
@@ -198,21 +216,22 @@ bool SharedRendering::is_wanted(const Worker& worker) const {
 
 void SharedRendering::finish(std::uint32_t share, Film film) {
   const std::scoped_lock lock(mutex_);
-  --at_work_;
   // One that was stopped lacks some of its samples.
   if (film.record.stopped_by == StoppedBy::samples) films_.add(share, std::move(film));
+  --at_work_;
   changed_.notify_all();
 }
 
-void SharedRendering::fail(const Worker& worker, const std::optional<std::uint32_t>& share,
+void SharedRendering::fail(Worker& worker, const std::optional<std::uint32_t>& share,
                            bool is_device, const std::string& message) {
   const std::scoped_lock lock(mutex_);
+  worker.has_left = true;
   if (share) {
     --at_work_;
     left_.push_front(*share);
   }
-  const auto goes_on = [&](const Worker& other) { return &other != &worker && !other.has_left; };
-  if (is_device && std::ranges::any_of(workers_, goes_on)) {
+  const bool others_go_on = !std::ranges::all_of(workers_, &Worker::has_left);
+  if (is_device && (others_go_on || is_done())) {
     remarks_.push_back(message + "; the other devices go on");
   } else {
     if (!failure_) failure_ = std::current_exception();
@@ -252,15 +271,16 @@ RenderStatistics SharedRendering::statistics_so_far() const {
 
 void SharedRendering::tell_differences() {
   if (stopped_) return;
-  const Worker& one = workers_.front();
+  const auto one =
+      std::ranges::find_if(workers_, [](const Worker& w) { return w.first.has_value(); });
   for (const Worker& other : workers_) {
-    if (!one.first || !other.first) continue;
-    const std::size_t count = differing_pixels(*one.first, *other.first);
+    if (!other.first) continue;
+    const std::size_t count = differing_pixels(*one->first, *other.first);
     if (count > 0)
       remarks_.push_back(fmt::format(
           "{} and {} compute the first sample of {} of {} pixels with other bits, so which of "
           "them rendered what shows in the image's last digits",
-          one.name(), other.name(), count, one.first->pixels.size()));
+          one->name(), other.name(), count, one->first->pixels.size()));
   }
 }
 

@@ -49,6 +49,11 @@ class SharedRendering : public Rendering {
     }
   };
 
+  /// Has all threads end soon, unless they have done everything.
+  void stop();
+  /// Whether all shares are rendered.
+  [[nodiscard]] bool is_done() const;
+
   // Of a worker's thread.
   void work(Worker& worker);
   /// Renders the samples, and measures for how long. counts: they are of the image.
@@ -58,7 +63,7 @@ class SharedRendering : public Rendering {
   [[nodiscard]] bool is_wanted(const Worker& worker) const;
   void finish(std::uint32_t share, Film film);
   /// Called from a handler. A device's failure leaves the share to the others while there are any.
-  void fail(const Worker& worker, const std::optional<std::uint32_t>& share, bool is_device,
+  void fail(Worker& worker, const std::optional<std::uint32_t>& share, bool is_device,
             const std::string& message);
 
   // Of the caller's thread.

@@ -70,6 +70,11 @@ std::string whole_options(const Division& d, const ImageSize& size) {
   return options;
 }
 
+bool is_within(const Crop& pixels, const Crop& others) {
+  return pixels.x0 >= others.x0 && pixels.y0 >= others.y0 && pixels.x1 <= others.x1 &&
+         pixels.y1 <= others.y1;
+}
+
 long long area(const Crop& pixels) {
   return static_cast<long long>(pixels.x1 - pixels.x0) * (pixels.y1 - pixels.y0);
 }

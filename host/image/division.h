@@ -33,6 +33,9 @@ struct TileShare {
 /// Those that ask for all shares together.
 [[nodiscard]] std::string whole_options(const Division& division, const ImageSize& size);
 
+/// Whether all of the pixels are among others.
+[[nodiscard]] bool is_within(const Crop& pixels, const Crop& others);
+
 /// Number of pixels.
 [[nodiscard]] long long area(const Crop& pixels);
 

@@ -116,8 +116,14 @@ ExrHeader header_of(const std::filesystem::path& path, const Imf::MultiPartInput
   check_file_image_size(path, full_width, full_height, 1);
   result.width = static_cast<int>(width);
   result.height = static_cast<int>(height);
-  result.window = {window.min.x - display.min.x, window.min.y - display.min.y,
-                   static_cast<int>(full_width), static_cast<int>(full_height)};
+  const long long x = 1LL * window.min.x - display.min.x;
+  const long long y = 1LL * window.min.y - display.min.y;
+  constexpr long long farthest = 1LL << 30;
+  if (std::max(std::abs(x), std::abs(y)) > farthest)
+    throw InputError(
+        fmt::format("{}: its pixels lie at ({}, {}), too far from its image", path.string(), x, y));
+  result.window = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(full_width),
+                   static_cast<int>(full_height)};
   for (auto a = header.begin(); a != header.end(); ++a) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
     // A part's name and kind say nothing of its image.

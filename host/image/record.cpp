@@ -176,7 +176,10 @@ constexpr std::array fields{
 }  // namespace
 
 bool is_chosen(const RecordField& field, const RenderRecord& record) {
-  return std::string_view(field.key) != "facet.precision" || record.backend == "reference";
+  const std::string_view key = field.key;
+  // Several backends that shared a render are no choice of one.
+  if (key == "facet.backend") return record.backend.find(';') == std::string::npos;
+  return key != "facet.precision" || record.backend == "reference";
 }
 
 std::span<const RecordField> record_fields() { return fields; }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -30,6 +31,20 @@ std::string counted(const char* what, const std::vector<std::uint32_t>& numbers,
                      count);
 }
 
+/// The samples that every one of the pixels has.
+SampleRanges held_by_all(const PartSet& set, const Crop& pixels) {
+  std::optional<SampleRanges> held;
+  long long lacking = area(pixels);
+  for (const Tile& tile : set.tiles) {
+    const Crop common{std::max(tile.pixels.x0, pixels.x0), std::max(tile.pixels.y0, pixels.y0),
+                      std::min(tile.pixels.x1, pixels.x1), std::min(tile.pixels.y1, pixels.y1)};
+    if (common.x0 >= common.x1 || common.y0 >= common.y1) continue;
+    lacking -= area(common);
+    held = held ? held->common(tile.samples) : tile.samples;
+  }
+  return lacking == 0 && held ? *held : SampleRanges();
+}
+
 }  // namespace
 
 std::vector<TileShare> missing_shares(const PartSet& set) {
@@ -39,9 +54,7 @@ std::vector<TileShare> missing_shares(const PartSet& set) {
   for (std::uint32_t t = 1; t <= d.tiles; ++t) {
     const Share tile{t, d.tiles};
     const Crop pixels = share_of(d.pixels, tile);
-    const auto found = std::ranges::find(set.tiles, pixels, &Tile::pixels);
-    const SampleRanges held = found == set.tiles.end() ? SampleRanges() : found->samples;
-    const SampleRanges gaps = held.missing_in(d.samples);
+    const SampleRanges gaps = held_by_all(set, pixels).missing_in(d.samples);
     // Gaps and parts both ascend.
     auto gap = gaps.list().begin();
     for (std::uint32_t p = 1; p <= d.parts && gap != gaps.list().end(); ++p) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/division.h"
-#include "parts/merge.h"
+#include "parts/part_set.h"
 
 namespace facet {
 
@@ -15,7 +15,8 @@ namespace facet {
 /// 4; tile 3 of 4".
 [[nodiscard]] std::string describe(const std::vector<TileShare>& missing, const Division& division);
 
-/// The command that renders a share, into the folder that the first part lies in.
+/// The command that renders a share, into the folder that the first part lies in; to be run where
+/// the scene's file lies, of which a part knows the name alone.
 [[nodiscard]] std::string share_command(const PartSet& set, const TileShare& share);
 
 }  // namespace facet

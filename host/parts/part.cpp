@@ -156,6 +156,7 @@ class PartReader {
 
   [[nodiscard]] std::vector<Planes> planes_of(const Image& image, const std::string& prefix) const {
     std::vector<Planes> planes;
+    planes.reserve(colors.size());
     for (const char* color : colors) planes.emplace_back(image, prefix + color, file_);
     return planes;
   }

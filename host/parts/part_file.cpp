@@ -32,8 +32,7 @@ void check_division(const PartFile& part) {
   if (!part.record.division) return;
   const Division& d = *part.record.division;
   const Crop p = part.pixels();
-  const bool inside = p.x0 >= d.pixels.x0 && p.y0 >= d.pixels.y0 && p.x1 <= d.pixels.x1 &&
-                      p.y1 <= d.pixels.y1 &&
+  const bool inside = is_within(p, d.pixels) &&
                       SampleRanges(d.samples).missing_in(part.record.samples.hull()).empty();
   if (!inside)
     throw InputError(fmt::format("{}: damaged: its samples {} and pixels {} are no share of {}",
@@ -84,6 +83,10 @@ PartFile open_part(const std::string& file) {
     throw InputError(fmt::format("{}: is {}no part of a render: it holds no sums; {}", file,
                                  ours ? "a whole image and " : "", how_to_make_one));
   }
+  const ImageWindow& window = part.header.window;
+  if (!is_within(part.pixels(), {0, 0, window.full_width, window.full_height}))
+    throw InputError(fmt::format("{}: damaged: its pixels {} lie outside its image of {}x{}", file,
+                                 crop_text(part.pixels()), window.full_width, window.full_height));
   part.record = read_record(file, part.header);
   check_division(part);
   if (part.record.adaptive)

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "core/error.h"
 #include "image/division.h"
-#include "image/record.h"
 
 namespace facet::tradeoff {
 
@@ -58,35 +56,6 @@ FarmPlan plan_farm(const FarmMeasurement& measured, const FarmWish& wish) {
   plan.node_hours = seconds_of_nodes / 3600;
   plan.bytes = plan.parts * measured.part_bytes;
   return plan;
-}
-
-std::string slurm_script(const FarmPlan& plan, std::uint32_t nodes, const std::string& options,
-                         const std::string& merge_options, const std::string& scene) {
-  const std::string name = std::filesystem::path(scene).stem().string();
-  const std::string render = fmt::format(
-      "exec \"${{FACET:-facet}}\" render{} --part=slurm/{} "
-      "--checkpoint=\"checkpoints/$SLURM_ARRAY_TASK_ID.exr\" --resume "
-      "--output=\"parts/$SLURM_ARRAY_TASK_ID.exr\" -- {}",
-      options, plan.parts, shell_word(scene));
-  const std::string merge =
-      fmt::format("exec \"${{FACET:-facet}}\" merge parts{} --output={} --output={}", merge_options,
-                  shell_word(name + ".exr"), shell_word(name + ".png"));
-  return fmt::format(
-      "#!/bin/sh\n"
-      "# Submits the render of a scene to Slurm, in {} parts of at most {} samples, and the merge "
-      "of\n"
-      "# them. To be started in a folder that all nodes see; more options of sbatch may follow "
-      "the\n"
-      "# script's name, as --partition=cpu. $FACET names the program.\n"
-      "set -eu\n"
-      "mkdir -p parts checkpoints logs\n"
-      "array=$(sbatch --parsable --job-name=facet-part --array=1-{}%{} --requeue \\\n"
-      "  --open-mode=append --output=logs/%a.log \"$@\" \\\n"
-      "  --wrap={})\n"
-      "sbatch --parsable --job-name=facet-merge --dependency=\"afterok:$array\" \\\n"
-      "  --kill-on-invalid-dep=yes --output=logs/merge.log \"$@\" \\\n"
-      "  --wrap={}\n",
-      plan.parts, plan.part_samples, plan.parts, nodes, shell_word(render), shell_word(merge));
 }
 
 }  // namespace facet::tradeoff

@@ -38,11 +38,4 @@ struct FarmPlan {
 /// which is what independent samples do. Throws InputError where no number of samples can be told.
 [[nodiscard]] FarmPlan plan_farm(const FarmMeasurement& measured, const FarmWish& wish);
 
-/// A script that submits the parts to Slurm, as an array job, and the merge behind them.
-/// options: of `facet render`, each behind a blank, without part, output and scene; merge_options:
-/// of `facet merge`.
-[[nodiscard]] std::string slurm_script(const FarmPlan& plan, std::uint32_t nodes,
-                                       const std::string& options, const std::string& merge_options,
-                                       const std::string& scene);
-
 }  // namespace facet::tradeoff

@@ -39,6 +39,8 @@ class SampleRanges {
   /// As parse reads it.
   [[nodiscard]] std::string text() const;
 
+  [[nodiscard]] bool operator==(const SampleRanges&) const = default;
+
  private:
   std::vector<SampleRange> list_;
 };

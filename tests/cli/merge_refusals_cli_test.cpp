@@ -88,8 +88,7 @@ TEST_F(MergeCliTest, GapsAreRefusedUnlessAllowed) {
 TEST_F(MergeCliTest, FilesThatAreNoParts) {
   part("a.exr", "0:4");
   render("whole.exr", {});
-  expect_refusal({"a.exr", "whole.exr"},
-                 {"whole.exr: ", "whole image", "facet render --part"});
+  expect_refusal({"a.exr", "whole.exr"}, {"whole.exr: ", "whole image", "facet render --part"});
   Image stripped = read("a.exr");
   stripped.metadata.clear();
   write_exr(folder_.file("stripped.exr"), stripped);

@@ -40,8 +40,9 @@ class SharesCliTest : public MergeCliTest {
     options.insert(options.end(), parts.begin(), parts.end());
     const Result result = run(options);
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), commands + 1) << result.err;
-    expect_words(result.err, {"missing: facet render ", missing.c_str(), "--allow-gaps"});
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), commands + 2) << result.err;
+    expect_words(result.err,
+                 {"missing; in the folder of scene.xml:\n  facet render ", missing.c_str()});
     EXPECT_FALSE(std::filesystem::exists(folder_.file("none.exr")));
   }
   static void expect_same_colors(const Image& a, const Image& b) {
@@ -99,14 +100,13 @@ TEST_F(SharesCliTest, MissingSharesAreNamedWithTheCommandsThatRenderThem) {
     remove(fmt::format("scene_tile_3_of_3_part_{}_of_4.exr", part));
   const Result refused = run({"merge", "parts", "-o", "none.exr"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(
-      refused.err.ends_with("facet: missing: parts 2,4 of 4 of tile 1 of 3; tile 3 of 3: render "
-                            "them, or merge with --allow-gaps\n"))
+  EXPECT_TRUE(refused.err.ends_with(
+      "facet: missing: parts 2,4 of 4 of tile 1 of 3; tile 3 of 3: render them\n"))
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder_.file("none.exr")));
   std::istringstream lines(refused.err);
   int commands = 0;
-  constexpr std::string_view start = "missing: facet ";
+  constexpr std::string_view start = "  facet ";
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(start)) continue;
     const std::string command =
@@ -149,10 +149,58 @@ TEST_F(SharesCliTest, MergesOfATreeAreTheMergeOfAll) {
   expect_same_colors(merge({"tile1.exr", "tile2.exr"}), all);
 }
 
+TEST_F(SharesCliTest, MergesOfSeveralTilesAreMergedAgain) {
+  render_all(1, 4);
+  const Image all = merge({"parts"});
+  const std::string start = "parts/scene_tile_";
+  for (const char* tiles : {"12", "34"}) {
+    Names words{"merge", "-o", fmt::format("{}.exr", tiles), "--allow-gaps", "--quiet"};
+    for (const char* tile = tiles; *tile != '\0'; ++tile)
+      words.push_back(fmt::format("{}{}_of_4_part_1_of_1.exr", start, *tile));
+    const Result result = run(words);
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  expect_missing({"12.exr"}, 2, "missing: tiles 3,4 of 4:");
+  const Image merged = merge({"12.exr", "34.exr"});
+  expect_same_colors(merged, all);
+  EXPECT_EQ(metadata(merged, "facet.division"), "no facet.division");
+}
+
+TEST_F(SharesCliTest, MergesAcrossTilesAreMergedAgain) {
+  render_all(2, 2);
+  const Image all = merge({"parts"});
+  for (const char* part : {"1", "2"}) {
+    const Result result = run({"merge", fmt::format("parts/*part_{}_of_2.exr", part), "-o",
+                               fmt::format("{}.exr", part), "--allow-gaps", "--quiet"});
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  expect_same_colors(merge({"1.exr", "2.exr"}), all);
+  expect_same_colors(merge({"2.exr", "parts/scene_tile_1_of_2_part_1_of_2.exr",
+                            "parts/scene_tile_2_of_2_part_1_of_2.exr"}),
+                     all);
+  expect_refusal({"1.exr", "2.exr", "parts/scene_tile_2_of_2_part_1_of_2.exr"},
+                 {"scene_tile_2_of_2_part_1_of_2.exr: overlaps with 1.exr", "samples 0:5"});
+  expect_missing({"1.exr", "parts/scene_tile_2_of_2_part_2_of_2.exr"}, 1,
+                 "missing: part 2 of 2 of tile 1 of 2: render them\n");
+  expect_refusal({"1.exr", "parts/scene_tile_2_of_2_part_2_of_2.exr", "--allow-gaps"},
+                 {"all pixels of an image have the same"});
+}
+
+TEST_F(SharesCliTest, SharesOfAnotherDivisionAreRefused) {
+  for (const char* part : {"1/4", "2/4"}) share({"--spp", "12", "--part", part});
+  share({"--spp", "8", "--part", "4/4", "-o", "other.exr"});
+  expect_refusal({"parts"}, {"of 4 parts of 0:12, 1 tiles", "of 4 parts of 0:8, 1 tiles"});
+  // What is no share of any may stand for one.
+  ASSERT_TRUE(std::filesystem::remove(folder_.file("parts/other.exr")));
+  share({"--spp", "12", "--sample-range", "6:12", "-o", "rest.exr"});
+  (void)merge({"parts"});
+}
+
 TEST_F(SharesCliTest, TilesThatDoNotFitAreRefused) {
   share({"--tile", "1/2"});
   share({"--tile", "2/3"});
-  expect_refusal({"parts"}, {"its crop is", "scene_tile_1_of_2.exr is 0,0,16,8"});
+  expect_refusal({"parts"}, {"scene_tile_2_of_3.exr: is of 1 parts of 0:1, 3 tiles",
+                             "scene_tile_1_of_2.exr is of 1 parts of 0:1, 2 tiles"});
   share({"--tile", "1/3"});
   share({"--tile", "3/3"});
   remove("scene_tile_1_of_2.exr");
@@ -161,7 +209,7 @@ TEST_F(SharesCliTest, TilesThatDoNotFitAreRefused) {
   expect_missing({"parts"}, 1, "missing: tile 2 of 3:");
   expect_refusal({"parts", "--allow-gaps"}, {"no part holds 80 of the pixels 0,0,16,16"});
   share({"--tile", "2/3", "--spp", "5"});
-  expect_refusal({"parts", "--allow-gaps"}, {"the samples 0:5", "0:1"});
+  expect_refusal({"parts", "--allow-gaps"}, {"of 1 parts of 0:5", "of 1 parts of 0:1"});
 }
 
 TEST_F(SharesCliTest, ADamagedDivisionIsRefused) {
@@ -213,55 +261,6 @@ TEST_F(SharesCliTest, SharesThatCannotBe) {
   refused({"--part", "1/2", "--adaptive", "--spp", "64"}, {"adaptive"});
   refused({"--tile", "1/2", "--error", "1%"}, {"tile", "error"});
   refused({"--part", "1/2", "--spp", "4", "--time", "2"}, {"part", "time"});
-}
-
-TEST_F(SharesCliTest, EnginesTellWhichShare) {
-  const auto render_as = [&](const std::string& part, const std::vector<std::string>& variables) {
-    return run({"render", "scene.xml", "--spp", "8", "-o", "a.exr", "--quiet", "--part", part},
-               variables);
-  };
-  const auto expect_samples = [&](const std::string& part,
-                                  const std::vector<std::string>& variables,
-                                  const std::string& samples) {
-    const Result result = render_as(part, variables);
-    ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(metadata(read("a.exr"), "facet.samples"), samples) << part;
-  };
-  const std::vector<std::string> slurm{"SLURM_ARRAY_TASK_ID=3", "SLURM_ARRAY_TASK_MIN=1",
-                                       "SLURM_ARRAY_TASK_MAX=4", "SLURM_ARRAY_TASK_COUNT=4"};
-  expect_samples("slurm", slurm, "4:6");
-  expect_samples("slurm/8", slurm, "2:3");
-  expect_samples("sge", {"SGE_TASK_ID=4", "SGE_TASK_FIRST=1", "SGE_TASK_LAST=4"}, "6:8");
-  expect_samples("aws", {"AWS_BATCH_JOB_ARRAY_INDEX=0", "AWS_BATCH_JOB_ARRAY_SIZE=2"}, "0:4");
-  expect_samples("google", {"BATCH_TASK_INDEX=1", "BATCH_TASK_COUNT=2"}, "4:8");
-  expect_samples("srun", {"SLURM_PROCID=1", "SLURM_NTASKS=2"}, "4:8");
-  expect_samples("openmpi", {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=4"}, "2:4");
-  expect_samples("mpich", {"PMI_RANK=1", "PMI_SIZE=4"}, "2:4");
-  expect_samples("kubernetes/4", {"JOB_COMPLETION_INDEX=3"}, "6:8");
-  expect_samples("pbs/4", {"PBS_ARRAY_INDEX=4"}, "6:8");
-  expect_samples("lsf/4", {"LSB_JOBINDEX=1"}, "0:2");
-  const auto refused = [&](const std::string& part, const std::vector<std::string>& variables,
-                           std::initializer_list<const char*> words) {
-    const Result result = render_as(part, variables);
-    EXPECT_EQ(result.code, 2) << part;
-    expect_words(result.err, words);
-  };
-  refused("slurm", {}, {"--part slurm", "SLURM_ARRAY_TASK_ID is not set"});
-  refused("slurm/4", {"SLURM_ARRAY_TASK_ID=0"}, {"SLURM_ARRAY_TASK_ID is 0, but 1 to 4"});
-  refused("slurm/4", {"SLURM_ARRAY_TASK_ID=5"}, {"SLURM_ARRAY_TASK_ID is 5, but 1 to 4"});
-  refused("slurm/0", slurm, {"slurm/N expected"});
-  // Some of an array once more: the same index would be another share.
-  refused("slurm",
-          {"SLURM_ARRAY_TASK_ID=3", "SLURM_ARRAY_TASK_MIN=3", "SLURM_ARRAY_TASK_MAX=4",
-           "SLURM_ARRAY_TASK_COUNT=2"},
-          {"not 1 to N", "slurm/N"});
-  refused("slurm",
-          {"SLURM_ARRAY_TASK_ID=1", "SLURM_ARRAY_TASK_MIN=1", "SLURM_ARRAY_TASK_MAX=4",
-           "SLURM_ARRAY_TASK_COUNT=2"},
-          {"not 1 to N", "slurm/N"});
-  refused("kubernetes", {"JOB_COMPLETION_INDEX=3"}, {"how many", "kubernetes/N"});
-  refused("aws/2", {"AWS_BATCH_JOB_ARRAY_INDEX=2"}, {"is 2, but 0 to 1"});
-  refused("sge", {"SGE_TASK_ID=undefined"}, {"SGE_TASK_ID is \"undefined\""});
 }
 
 TEST_F(SharesCliTest, ACheckpointOfAShareContinuesAsThatShare) {

@@ -113,9 +113,10 @@ std::vector<Seed> seeds() {
   list.push_back({"mtl", "m.mtl", materials, true});
   list.push_back({"image", "map.png", png, true});
   list.push_back({"image", "sky.exr", exr, true});
-  list.push_back({"image", "layers.exr", written(".exr", [](const auto& f) {
-                    write_exr(f, make_picture({"R", "G", "B", "A", "n.X"}), ExrCompression::uncompressed);
-                  })});
+  list.push_back(
+      {"image", "layers.exr", written(".exr", [](const auto& f) {
+         write_exr(f, make_picture({"R", "G", "B", "A", "n.X"}), ExrCompression::uncompressed);
+       })});
   std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 3\n";
   for (int i = 0; i < 6; ++i) hdr += std::string("\x40\x50\x60\x80", 4);
   list.push_back({"image", "sky.hdr", hdr});

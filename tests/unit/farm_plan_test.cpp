@@ -64,16 +64,6 @@ TEST(FarmPlan, WhatCannotBeToldIsRefused) {
   EXPECT_THROW((void)plan_farm(measured(), {.nodes = 2, .error = 1e-7}), InputError);
 }
 
-TEST(FarmPlan, ScriptsQuoteWhatAShellWouldRead) {
-  const FarmPlan plan = plan_farm(measured(), {.nodes = 8, .samples = 10000});
-  const std::string script = slurm_script(plan, 8, " --spp=10000", "", "/scenes/it's $HOME.xml");
-  EXPECT_NE(script.find("--array=1-24%8"), std::string::npos) << script;
-  EXPECT_NE(script.find("--part=slurm/24"), std::string::npos) << script;
-  // Quoted for the job's shell, and once more for the script's.
-  EXPECT_NE(script.find(R"('\''/scenes/it'\''\'\'''\''s $HOME.xml'\''')"), std::string::npos)
-      << script;
-}
-
 }  // namespace
 
 }  // namespace facet::tradeoff::test

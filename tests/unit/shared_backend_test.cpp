@@ -165,9 +165,14 @@ TEST_F(SharedBackendTest, ADeviceThatFailsLeavesItsSharesToTheOthers) {
 }
 
 TEST_F(SharedBackendTest, TheLastFailureIsTheRenders) {
-  share(2);
-  for (FakeBackend* fake : fakes_) fake->fails_at = 2;
-  EXPECT_THROW((void)render(64), Error);
+  for (const int start : {1, 2}) {
+    // Whichever is the last, also where they fail at once.
+    for (int i = 0; i < 50; ++i) {
+      share(3);
+      for (FakeBackend* fake : fakes_) fake->fails_at = start;
+      EXPECT_THROW((void)render(64), Error);
+    }
+  }
   share(2);
   for (FakeBackend* fake : fakes_) {
     fake->fails_at = 2;
@@ -216,6 +221,17 @@ TEST_F(SharedBackendTest, AnEndedRenderKeepsWholeShares) {
   EXPECT_EQ(film.pixels[0].samples, film.record.samples.count());
   EXPECT_LT(film.pixels[0].samples, 3200U);
   EXPECT_GE(film.pixels[0].samples, 1U);
+}
+
+TEST_F(SharedBackendTest, WhatTheCallerThrowsEndsTheOthers) {
+  share(2);
+  for (FakeBackend* fake : fakes_) fake->slowness = 1;
+  const auto fails = [](double, const RenderStatistics&) -> bool {
+    throw std::runtime_error("enough");
+  };
+  // A million milliseconds otherwise.
+  EXPECT_THROW((void)backend_->render(scene_, {.samples = 1000000, .progress = fails}),
+               std::runtime_error);
 }
 
 TEST_F(SharedBackendTest, GoalsOfOneDeviceAreRefused) {
