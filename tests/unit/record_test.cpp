@@ -21,6 +21,7 @@ RenderRecord full_record() {
   r.planned = 64;
   r.sampling = LobeSampling::ndf;
   r.samples = SampleRanges(SampleRange{3, 9});
+  r.division = Division{{0, 18}, 3, {0, 2, 5, 9}, 2};
   r.adaptive = true;
   r.seed = 4000000000U;
   r.max_depth = 7;
@@ -74,6 +75,7 @@ TEST(Record, tells_what_is_damaged) {
                                                         {"facet.spp", "5"},
                                                         {"facet.seed", "-1"},
                                                         {"facet.seed", "4294967296"},
+                                                        {"facet.division", "3 parts"},
                                                         {"facet.maxDepth", "-2"},
                                                         {"facet.heuristic", "cutoff"},
                                                         {"facet.emitterSelection", "all"},
