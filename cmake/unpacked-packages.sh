@@ -152,7 +152,8 @@ check_signed() {
   done
   for archive in "$part"/cache/archives/*.deb; do
     hash=$(sha256sum "$archive" | cut -d ' ' -f 1)
-    apt-cache -c "$part/apt.conf" show "$(dpkg-deb -f "$archive" Package)" | grep -qx "SHA256: $hash" ||
+    apt-cache -c "$part/apt.conf" show "$(dpkg-deb -f "$archive" Package)" |
+      grep -qx "SHA256: $hash" ||
       none "$(basename "$archive") has not the hash that the archive has signed"
   done
   say "the downloads have the hashes that the archive has signed"

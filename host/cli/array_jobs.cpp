@@ -96,7 +96,7 @@ Share read_share(const std::string& text, const char* option) {
   const std::string asked = fmt::format("{} {}", option, name);
   const long long index = number_of(engine->index, asked) - engine->base + 1;
   const auto given = slash < text.size() ? parse_integer(text.substr(slash + 1)) : std::nullopt;
-  if (slash < text.size() && (!given || *given < 1 || *given > 1LL << 30))
+  if (slash < text.size() && (!given || *given < 1 || *given > largest_sample_count))
     throw InputError(fmt::format("{} \"{}\": {}/N expected", option, text, name));
   const long long count = given ? *given : count_in(*engine, asked);
   if (index < 1 || index > count)

@@ -50,7 +50,8 @@ void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uni
 void add_setting_options(Command& command, RenderOptions& o) {
   RenderRequest& r = o.request;
   command.argument("scene", o.scene, "Scene file (XML)");
-  command.number("--spp", r.samples, 1, 1 << 30, "Samples per pixel");
+  command.number("--spp", r.samples, 1, static_cast<int>(largest_sample_count),
+                 "Samples per pixel");
   command.text("--integrator", r.integrator, "Integrator, by its name in the scene language");
   command.text("--sampler", r.sampler,
                "Sampler, by its name in the scene language: independent, sobol or zsobol");

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "door/shared_rendering.h"
+#include "image/record.h"
 
 namespace facet {
 
@@ -13,14 +14,14 @@ class SharedBackend : public Backend {
       : backends_(std::move(backends)) {}
 
   [[nodiscard]] std::string name() const override {
-    std::vector<std::string> names;
-    for (const auto& backend : backends_) names.push_back(backend->name());
-    return joined(names);
+    std::string names;
+    for (const auto& backend : backends_) add_items(names, backend->name());
+    return names;
   }
   [[nodiscard]] std::string driver() const override {
-    std::vector<std::string> drivers;
-    for (const auto& backend : backends_) drivers.push_back(backend->driver());
-    return joined(drivers);
+    std::string drivers;
+    for (const auto& backend : backends_) add_items(drivers, backend->driver());
+    return drivers;
   }
   [[nodiscard]] std::vector<std::string> validation_messages() const override {
     std::vector<std::string> messages;

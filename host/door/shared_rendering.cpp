@@ -13,6 +13,7 @@
 #include "core/memory.h"
 #include "image/division.h"
 #include "image/film.h"
+#include "image/record.h"
 
 namespace facet {
 
@@ -42,14 +43,6 @@ void add_work(RenderStatistics& sum, const RenderStatistics& more) {
 }
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& texts) {
-  std::vector<std::string> once;
-  for (const std::string& text : texts) {
-    if (std::ranges::find(once, text) == once.end()) once.push_back(text);
-  }
-  return fmt::format("{}", fmt::join(once, "; "));
-}
 
 bool is_worth_starting(double own_seconds, const std::vector<double>& others_seconds,
                        std::size_t left) {
@@ -105,18 +98,12 @@ std::vector<Radiance> SharedRendering::sample(std::uint32_t index) {
 
 RenderRecord SharedRendering::record() const {
   RenderRecord record = record_of(*scene_, settings_);
-  std::vector<std::string> kinds;
-  std::vector<std::string> devices;
-  std::vector<std::string> drivers;
   for (const Worker& worker : workers_) {
     if (!worker.first || worker.done.samples == 0) continue;
-    kinds.push_back(worker.first->record.backend);
-    devices.push_back(worker.first->record.device);
-    drivers.push_back(worker.first->record.driver);
+    add_items(record.backend, worker.first->record.backend);
+    add_items(record.device, worker.first->record.device);
+    add_items(record.driver, worker.first->record.driver);
   }
-  record.backend = joined(kinds);
-  record.device = joined(devices);
-  record.driver = joined(drivers);
   record.seconds = statistics_.render_seconds;
   record.stopped_by = StoppedBy::interrupt;
   return record;

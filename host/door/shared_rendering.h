@@ -10,9 +10,6 @@
 
 namespace facet {
 
-/// The texts, each once, with semicolons between.
-[[nodiscard]] std::string joined(const std::vector<std::string>& texts);
-
 /// Whether a device that needs so many seconds for a share should start one of those left: not
 /// where the others, which need so many each, would have done all of them sooner.
 [[nodiscard]] bool is_worth_starting(double own_seconds, const std::vector<double>& others_seconds,

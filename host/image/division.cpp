@@ -18,9 +18,8 @@ Number divided(Number begin, Number end, std::uint32_t shares, std::uint32_t cou
 }
 
 bool has_all_shares(const Division& d) {
-  constexpr std::uint32_t most_samples = 1U << 30U;
   const Crop& p = d.pixels;
-  return d.samples.begin < d.samples.end && d.samples.end <= most_samples && d.parts >= 1 &&
+  return d.samples.begin < d.samples.end && d.samples.end <= largest_sample_count && d.parts >= 1 &&
          d.parts <= d.samples.end - d.samples.begin && p.x0 >= 0 && p.y0 >= 0 && p.x0 < p.x1 &&
          p.y0 < p.y1 && std::uint64_t{d.parts} * d.tiles <= most_shares && d.tiles >= 1 &&
          d.tiles <= static_cast<std::uint32_t>(p.y1 - p.y0);
@@ -104,7 +103,7 @@ std::optional<Share> parse_share(std::string_view text) {
   if (slash == std::string_view::npos) return std::nullopt;
   const auto index = parse_integer(text.substr(0, slash));
   const auto count = parse_integer(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *index > *count || *count > (1LL << 30))
+  if (!index || !count || *index < 1 || *index > *count || *count > largest_sample_count)
     return std::nullopt;
   return Share{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
 }

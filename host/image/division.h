@@ -7,6 +7,9 @@
 
 namespace facet {
 
+/// Most samples of a pixel, and largest number of one.
+inline constexpr std::uint32_t largest_sample_count = 1U << 30U;
+
 /// Most shares of a render, parts times tiles.
 inline constexpr std::uint64_t most_shares = 1U << 20U;
 

@@ -184,6 +184,18 @@ bool is_chosen(const RecordField& field, const RenderRecord& record) {
 
 std::span<const RecordField> record_fields() { return fields; }
 
+void add_items(std::string& list, std::string_view more) {
+  constexpr std::string_view separator = "; ";
+  while (!more.empty()) {
+    const std::size_t end = std::min(more.find(separator), more.size());
+    const std::string_view item = more.substr(0, end);
+    const std::string within = fmt::format("{}{}{}", separator, list, separator);
+    if (within.find(fmt::format("{}{}{}", separator, item, separator)) == std::string::npos)
+      list += fmt::format("{}{}", list.empty() ? "" : separator, item);
+    more.remove_prefix(std::min(end + separator.size(), more.size()));
+  }
+}
+
 bool ParsedRecord::is_missing(const RecordField& field) const {
   return std::ranges::find(missing, &field) != missing.end();
 }

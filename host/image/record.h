@@ -45,6 +45,10 @@ struct ParsedRecord {
   [[nodiscard]] bool is_missing(const RecordField& field) const;
 };
 
+/// Adds those items of a list that another lacks. Lists are those of a record's devices, drivers
+/// and backends: several have "; " between.
+void add_items(std::string& list, std::string_view more);
+
 /// The record as a header holds it; of the scene's path only the file's name.
 [[nodiscard]] Metadata header_of(const RenderRecord& record);
 

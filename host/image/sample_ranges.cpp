@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "image/division.h"
 
 namespace facet {
 
@@ -15,7 +16,7 @@ std::optional<SampleRanges> SampleRanges::parse(std::string_view text) {
     if (colon == std::string_view::npos) return std::nullopt;
     const auto begin = parse_integer(item.substr(0, colon));
     const auto end = parse_integer(item.substr(colon + 1));
-    if (!begin || !end || *begin < least || *begin >= *end || *end > (1LL << 30))
+    if (!begin || !end || *begin < least || *begin >= *end || *end > largest_sample_count)
       return std::nullopt;
     least = *end;
     ranges.add(SampleRange{static_cast<std::uint32_t>(*begin), static_cast<std::uint32_t>(*end)});

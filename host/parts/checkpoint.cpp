@@ -266,7 +266,7 @@ std::string continue_command(const PartFile& checkpoint) {
     // It has said which samples.
   } else if (state.first > 0) {
     command += fmt::format(" --sample-range={}:{}", state.first, state.first + state.most);
-  } else if (!record.planned && (!open_ended || state.most < 1U << 30U)) {
+  } else if (!record.planned && (!open_ended || state.most < largest_sample_count)) {
     command += fmt::format(" --spp={}", state.most);
   }
   if (record.adaptive) command += " --adaptive";

@@ -10,24 +10,11 @@
 
 #include "core/error.h"
 #include "image/division.h"
+#include "image/record.h"
 
 namespace facet {
 
 namespace {
-
-constexpr std::string_view separator = "; ";
-
-/// Adds those items of a list that another does not have.
-void add_items(std::string& list, std::string_view more) {
-  while (!more.empty()) {
-    const std::size_t end = std::min(more.find(separator), more.size());
-    const std::string_view item = more.substr(0, end);
-    const std::string within = fmt::format("{}{}{}", separator, list, separator);
-    if (within.find(fmt::format("{}{}{}", separator, item, separator)) == std::string::npos)
-      list += fmt::format("{}{}", list.empty() ? "" : separator, item);
-    more.remove_prefix(std::min(end + separator.size(), more.size()));
-  }
-}
 
 bool overlap(const Crop& a, const Crop& b) {
   return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;

@@ -83,28 +83,27 @@ Crop crop_of(const ImageSize& size, const RenderRequest& request) {
   return c;
 }
 
-constexpr std::uint32_t most_samples = 1U << 30U;
-
 /// The caller's number of samples a pixel, or else `otherwise`.
 std::uint32_t sample_count_of(const RenderRequest& request, std::uint32_t otherwise) {
   if (!request.samples) return otherwise;
   const int count = *request.samples;
-  if (count < 1 || count > static_cast<int>(most_samples))
-    throw InputError(fmt::format("{} samples a pixel: 1 to {} expected", count, most_samples));
+  if (count < 1 || count > static_cast<int>(largest_sample_count))
+    throw InputError(
+        fmt::format("{} samples a pixel: 1 to {} expected", count, largest_sample_count));
   return static_cast<std::uint32_t>(count);
 }
 
 SampleRange samples_of(const Scene& scene, const RenderRequest& request) {
   if (request.sample_range) {
     const SampleRange& range = *request.sample_range;
-    if (range.begin >= range.end || range.end > most_samples)
+    if (range.begin >= range.end || range.end > largest_sample_count)
       throw InputError(
           fmt::format("sample range {}:{}: empty or too large", range.begin, range.end));
     return range;
   }
   const bool open_ended = request.error || request.deadline;
   const auto otherwise = static_cast<std::uint32_t>(scene.sample_count);
-  return {0, sample_count_of(request, open_ended ? most_samples : otherwise)};
+  return {0, sample_count_of(request, open_ended ? largest_sample_count : otherwise)};
 }
 
 void check_share(const char* what, const Share& share, std::uint64_t things, const char* of) {

@@ -12,7 +12,6 @@ namespace facet::tradeoff {
 
 namespace {
 
-constexpr double most_samples = 1U << 30U;
 /// Of a part's time, that starting may take.
 constexpr double most_starting = 0.1;
 
@@ -25,10 +24,10 @@ std::uint32_t samples_of(const FarmMeasurement& measured, const FarmWish& wish) 
         "samples, is needed");
   const double ratio = measured.relative_upper / error;
   const double samples = std::max(1.0, std::ceil(measured.samples * ratio * ratio));
-  if (samples > most_samples)
+  if (samples > largest_sample_count)
     throw InputError(
-        fmt::format("an error of {:.3g} % would take {:.3g} samples a pixel; there can be {:.0f}",
-                    100 * error, samples, most_samples));
+        fmt::format("an error of {:.3g} % would take {:.3g} samples a pixel; there can be {}",
+                    100 * error, samples, largest_sample_count));
   return static_cast<std::uint32_t>(samples);
 }
 
