@@ -174,10 +174,15 @@ class FarmPlanJob {
     const double pixels = static_cast<double>(area(pixels_));
     put("{}: {}x{} pixels, {}, on {}\n", options_.render.scene, pixels_.x1 - pixels_.x0,
         pixels_.y1 - pixels_.y0, record_.integrator, device_);
-    put("measured: {} samples a pixel in {:.1f} s ({} samples/s), relative error {:.3g} % (at most "
-        "{:.3g} %), {:.2f} s to start and to write\n",
-        measured_.samples, render_seconds_, with_unit_prefix(pixels / measured_.seconds_per_sample),
-        100 * error_.relative(), 100 * measured_.relative_upper, measured_.start_seconds);
+    const std::string error =
+        measured_.relative_upper > 0
+            ? fmt::format("{:.3g} % (at most {:.3g} %)", 100 * error_.relative(),
+                          100 * measured_.relative_upper)
+            : "unknown";
+    put("measured: {} sample{} a pixel in {:.1f} s ({} samples/s), relative error {}, {:.2f} s to "
+        "start and to write\n",
+        measured_.samples, measured_.samples == 1 ? "" : "s", render_seconds_,
+        with_unit_prefix(pixels / measured_.seconds_per_sample), error, measured_.start_seconds);
     put("samples:  {} a pixel{}\n", p.samples,
         wish_.error ? fmt::format(", for an error of {:.3g} %, which falls with their root",
                                   100 * *wish_.error)

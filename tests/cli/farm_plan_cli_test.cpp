@@ -41,6 +41,13 @@ TEST_F(FarmPlanCliTest, PlansAnErrorAndTellsItToPrograms) {
   EXPECT_EQ(finish(start_command({"sh", "-n", "it.sh"})).code, 0);
 }
 
+TEST_F(FarmPlanCliTest, OneSampleTellsOfNoError) {
+  const Result result =
+      run({"farm-plan", "scene.xml", "--spp", "1", "--nodes", "3", "--measure", "0.3"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  expect_words(result.out, {"measured: 1 sample a pixel", "relative error unknown"});
+}
+
 TEST_F(FarmPlanCliTest, WhatCannotBePlannedIsRefused) {
   expect_failure({"farm-plan", "scene.xml", "--spp", "64"}, 2, {"--nodes", "needed"});
   expect_failure({"farm-plan", "scene.xml", "--nodes", "2", "--spp", "64", "--error", "1%"}, 2,
