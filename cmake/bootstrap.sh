@@ -1,16 +1,21 @@
 #!/bin/sh
-# Everything from a fresh Debian 12 to an image, or to the test results:
+# Everything from a fresh Debian 12 or 13, or Ubuntu 24.04, to an image, to the test results, or to
+# Debian packages:
 #     sh cmake/bootstrap.sh render [SCENE.xml [options of facet render]]
 #     sh cmake/bootstrap.sh test [options of ctest; without any, all tests but the slow ones]
-# Installs the Debian packages that are missing (apt, as root or through sudo), builds build/release,
-# and runs. Works from any folder: images are written to the folder it is called from. A second run
-# takes seconds.
+#     sh cmake/bootstrap.sh packages
+# Installs the packages that are missing (apt, as root or through sudo), builds build/release, and
+# runs. Works from any folder: images are written to the folder it is called from, or to out/ of the
+# sources where that is one of theirs. A second run takes seconds.
 set -eu
 
-packages="g++ cmake ninja-build libvulkan-dev mesa-vulkan-drivers glslang-tools spirv-tools
-  spirv-headers libglm-dev libboost-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev zlib1g-dev
-  libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev vulkan-validationlayers"
-test_packages="chromium" # looks at the pages that facet writes
+packages="g++ cmake ninja-build libvulkan-dev glslang-tools spirv-tools spirv-headers libglm-dev
+  libboost-dev libmpfr-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev zlib1g-dev
+  libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
+driver_packages="mesa-vulkan-drivers" # not needed for building
+test_packages="libgtest-dev vulkan-validationlayers aspell aspell-en mkdocs"
+# Of these a test that lacks them is skipped: Ubuntu has no browser as a package.
+optional_packages="chromium" # looks at the pages that facet writes
 
 say() { echo "bootstrap: $*" >&2; }
 fail() {
@@ -18,7 +23,9 @@ fail() {
   exit 2
 }
 
-usage() { fail "usage: sh cmake/bootstrap.sh render [SCENE.xml [options]] | test [ctest options]"; }
+usage() {
+  fail "usage: sh cmake/bootstrap.sh render [SCENE.xml [options]] | test [ctest options] | packages"
+}
 
 # The names among "$@" whose packages are not installed.
 missing_packages() {
@@ -34,6 +41,8 @@ find_root() {
   [ "$(id -u)" = 0 ] && return
   command -v sudo >/dev/null || fail "packages are missing, and there is neither root nor sudo;" \
     "as root: apt-get install $missing"
+  # Who sits at a terminal is asked for the password.
+  if [ -t 0 ]; then sudo -v || true; fi
   sudo -n true 2>/dev/null || fail "packages are missing, and sudo wants a password;" \
     "as root: apt-get install $missing"
   as_root=sudo
@@ -51,21 +60,31 @@ run_apt() {
 
 install_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
-    fail "this is no Debian (no apt-get): install the equivalents of $* yourself;" \
-      "README.md says how to build without this script"
+    fail "this is neither Debian nor Ubuntu (no apt-get): install the equivalents of $* yourself;" \
+      "docs/guide/quick-start.md says how to build without this script"
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
   find_root
   say "installing: $missing"
   log=$(mktemp)
-  run_apt update
+  [ -n "${updated:-}" ] || run_apt update
+  updated=1
   # shellcheck disable=SC2086
   run_apt install --no-install-recommends $missing
   rm -f "$log"
 }
 
+# Those among "$@" that the system's archive has.
+available_packages() {
+  for package in "$@"; do
+    apt-cache show --no-all-versions "$package" 2>/dev/null | grep -q '^Filename:' &&
+      printf '%s ' "$package"
+  done
+  return 0
+}
+
 build() {
-  if [ ! -f "$root/build/release/build.ninja" ]; then
+  if [ ! -f "$root/build/release/build.ninja" ] || [ -n "${configure:-}" ]; then
     say "configuring build/release"
     mkdir -p "$root/build"
     (cd "$root" && cmake --preset release >build/configure.log 2>&1) || {
@@ -77,7 +96,35 @@ build() {
   cmake --build "$root/build/release" --target "$@" >&2 || fail "building failed"
 }
 
-root=$(cd "$(dirname "$0")/.." && pwd)
+# Images go to out/ where the current folder is one of the sources', unless "$@" says where.
+output_options() {
+  for option in "$@"; do
+    case $option in
+      -o | -o?* | --output | --output=* | --pixel | --pixel=*) return ;;
+    esac
+  done
+  case $(pwd -P)/ in
+    "$root"/*)
+      mkdir -p "$root/out"
+      printf '%s' "$root/out/"
+      ;;
+  esac
+}
+
+render() {
+  if [ $# -eq 0 ]; then
+    set -- "$root/scenes/still_life/still_life.xml"
+    first=1
+  fi
+  folder=$(output_options "$@")
+  [ -z "$folder" ] || set -- "$@" -o "$folder"
+  [ -n "${first:-}" ] || exec "$root/build/release/host/facet" render "$@"
+  "$root/build/release/host/facet" render "$@"
+  say "look at still_life.png above; the program is $root/build/release/host/facet;" \
+    "try next: sh cmake/bootstrap.sh render SCENE.xml, or docs/guide/quick-start.md"
+}
+
+root=$(cd "$(dirname "$0")/.." && pwd -P)
 [ $# -ge 1 ] || usage
 command=$1
 shift
@@ -85,13 +132,22 @@ case $command in
   render)
     # shellcheck disable=SC2086
     install_packages $packages
-    build facet facet_scenes
-    if [ $# -eq 0 ]; then set -- "$root/scenes/cbox/cbox_conductors_mis.xml"; fi
-    exec "$root/build/release/host/facet" render "$@"
+    # The driver is installed while the compiler runs.
+    # shellcheck disable=SC2086
+    (install_packages $driver_packages) &
+    # Whatever becomes of the build, dpkg is not left at work.
+    (build facet facet_scenes) || failed=1
+    wait $! || failed=1
+    [ -z "${failed:-}" ] || exit 2
+    render "$@"
     ;;
   test)
     # shellcheck disable=SC2086
-    install_packages $packages $test_packages
+    install_packages $packages $driver_packages $test_packages
+    # shellcheck disable=SC2086,SC2046
+    install_packages $(available_packages $optional_packages)
+    # A build for rendering alone has no tests.
+    configure=1
     build all
     # Here, since tests download nothing.
     sh "$root/cmake/second-driver.sh" --prepare >&2 ||
@@ -104,6 +160,11 @@ case $command in
     CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
     export CTEST_PARALLEL_LEVEL
     exec ctest --output-on-failure "$@"
+    ;;
+  packages)
+    # shellcheck disable=SC2086
+    install_packages $packages git dpkg-dev
+    exec sh "$root/cmake/release.sh" packages
     ;;
   *) usage ;;
 esac

@@ -1,4 +1,5 @@
-# Everything facet is built from, all in Debian 12's packages (cmake/bootstrap.sh installs them).
+# Everything facet is built from, all in the packages of Debian 12 and 13 and of Ubuntu 24.04
+# (cmake/bootstrap.sh installs them).
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(SPIRV-Headers REQUIRED)
@@ -15,5 +16,10 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Boost 1.74 REQUIRED)
+# The many digits of `facet extremes`.
+find_library(MPFR_LIBRARY mpfr REQUIRED)
+find_library(GMP_LIBRARY gmp REQUIRED)
+add_library(MPFR::MPFR INTERFACE IMPORTED)
+target_link_libraries(MPFR::MPFR INTERFACE ${MPFR_LIBRARY} ${GMP_LIBRARY})
 # Embree is what `facet bench` compares with, where it is installed.
 find_package(embree 3 QUIET)

@@ -1,4 +1,4 @@
-// Build tool: writes docs/plugins.md, the manuals of all plugins.
+// Build tool: writes docs/reference/plugins.md, the manuals of all plugins.
 //     make_plugins_page OUT.md PICTURES_FOLDER
 #include <cctype>
 #include <filesystem>

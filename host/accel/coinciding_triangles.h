@@ -10,7 +10,7 @@
 namespace facet {
 
 /// Whether two triangles lie in one plane, within the distance that a ray's origin is moved off a
-/// surface (docs/sampling.md, "Ray offset") on each of both, and have a common area: not an edge or
+/// surface (docs/reference/sampling.md, "Ray offset") on each of both, and have a common area: not an edge or
 /// a corner alone.
 [[nodiscard]] bool coincide(const TriangleCorners& a, const TriangleCorners& b);
 

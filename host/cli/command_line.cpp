@@ -8,6 +8,7 @@
 #include "cli/limits.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "version.h"
 
 namespace facet::cli {
 
@@ -60,6 +61,41 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error,
                        first.empty() ? "" : first + " ");
   }
   return fmt::format("unknown command \"{}\"{}", first, did_you_mean(first, known));
+}
+
+/// The words in "TEXT:{balance,power}", and what stands before them.
+void read_type(const std::string& type, OptionManual& manual) {
+  const std::size_t brace = type.find(":{");
+  manual.value = type.substr(0, brace);
+  if (brace == std::string::npos) return;
+  const std::string list = type.substr(brace + 2, type.size() - brace - 3);
+  for (const std::string_view word : split_list(list)) manual.words.emplace_back(word);
+}
+
+OptionManual manual_of(const CLI::Option& option) {
+  OptionManual manual;
+  manual.is_argument = option.get_positional();
+  if (manual.is_argument) manual.names.push_back(option.get_name());
+  for (const std::string& name : option.get_snames()) manual.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) manual.names.push_back("--" + name);
+  if (option.get_items_expected_max() > 0) read_type(option.get_type_name(), manual);
+  manual.default_value = option.get_default_str();
+  manual.help = option.get_description();
+  manual.is_required = option.get_required();
+  manual.is_repeated = option.get_items_expected_max() > 1;
+  return manual;
+}
+
+CommandManual manual_of(const CLI::App& command) {
+  CommandManual manual{command.get_name(), command.get_description(), {}};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option == command.get_help_ptr()) continue;
+    const std::string heading = option->get_group() == "Options" ? "" : option->get_group();
+    auto group = std::ranges::find(manual.groups, heading, &OptionGroup::heading);
+    if (group == manual.groups.end()) group = manual.groups.insert(group, OptionGroup{heading, {}});
+    group->options.push_back(manual_of(*option));
+  }
+  return manual;
 }
 
 }  // namespace
@@ -198,6 +234,13 @@ CommandLine::~CommandLine() = default;
 
 Command CommandLine::add(const std::string& name, const std::string& help) {
   return {*app_->add_subcommand(name, help), chosen_, *limits_};
+}
+
+ProgramManual CommandLine::manual() const {
+  ProgramManual manual{app_->get_description(), FACET_VERSION, {}};
+  for (const CLI::App* command : app_->get_subcommands({}))
+    manual.commands.push_back(manual_of(*command));
+  return manual;
 }
 
 ExitCode CommandLine::run(int argc, char** argv) {

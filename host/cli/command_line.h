@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/manual.h"
 #include "core/words.h"
 
 namespace CLI {
@@ -117,6 +118,9 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   Command add(const std::string& name, const std::string& help);
+
+  /// All commands with their options.
+  [[nodiscard]] ProgramManual manual() const;
 
   /// Runs the subcommand that the arguments name. Throws InputError for arguments that cannot be
   /// understood.

@@ -17,6 +17,8 @@ void add_extremes_command(CommandLine& line);
 void add_info_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
 void add_devices_command(CommandLine& line);
+void add_selftest_command(CommandLine& line);
+void add_manual_command(CommandLine& line);
 
 /// Seconds since the process began.
 [[nodiscard]] double seconds_since_start();

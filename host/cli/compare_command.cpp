@@ -15,6 +15,7 @@
 #include "image/files.h"
 #include "report/compare_page.h"
 #include "report/compare_report.h"
+#include "report/compare_summary.h"
 
 namespace facet::cli {
 
@@ -31,6 +32,8 @@ struct CompareCommand {
   CompareOptions comparison;
   std::string json;
   std::string html;
+  std::string junit;
+  std::string summary;
 };
 
 void print_table(const CompareOptions& options, const Comparison& comparison) {
@@ -47,8 +50,9 @@ void print_table(const CompareOptions& options, const Comparison& comparison) {
 
 void check_files(const CompareCommand& c) {
   if (c.html == "-") throw InputError("--html needs a file; standard output carries the figures");
-  check_outputs({}, {c.json, c.html});
-  check_no_input_is_written({c.json, c.html}, {c.comparison.image, c.comparison.reference});
+  const std::vector<std::string> outputs{c.json, c.html, c.junit, c.summary};
+  check_outputs({}, outputs);
+  check_no_input_is_written(outputs, {c.comparison.image, c.comparison.reference});
 }
 
 ExitCode compare(const CompareCommand& command) {
@@ -62,10 +66,15 @@ ExitCode compare(const CompareCommand& command) {
             .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     write_text(command.json, text + "\n");
   }
+  if (!command.junit.empty())
+    write_text(command.junit, report::comparison_junit(options, comparison));
+  if (!command.summary.empty())
+    append_text(command.summary, report::comparison_markdown(options, comparison));
   if (command.json != "-") print_table(options, comparison);
   for (const std::string& warning : comparison.warnings) say("warning: {}\n", warning);
-  for (const std::string& violation : comparison.violations) say("facet: {}\n", violation);
-  return comparison.violations.empty() ? ExitCode::done : ExitCode::check_failed;
+  const std::vector<std::string> violations = comparison.violations();
+  for (const std::string& violation : violations) say("facet: {}\n", violation);
+  return violations.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
 void add_thresholds(Command& command, CompareOptions& o) {
@@ -90,8 +99,8 @@ void add_compare_command(CommandLine& line) {
   const auto options = std::make_shared<CompareCommand>();
   CompareOptions& o = options->comparison;
   Command command = line.add("compare", "Measure the error of an image against a reference");
-  command.argument("image", o.image, "Image, .exr or .png");
-  command.argument("reference", o.reference, "Reference image of the same size, .exr or .png");
+  command.argument("image", o.image, "Image: EXR, PNG, JPEG or Radiance HDR");
+  command.argument("reference", o.reference, "Reference image of the same size");
   add_thresholds(command, o);
   command.number("--tolerance", o.tolerance, 0, INFINITY,
                  "T: a pixel is beyond it if |a - r| > T (|r| + 0.01 mean luminance of r) in a "
@@ -105,6 +114,10 @@ void add_compare_command(CommandLine& line) {
   add_json_option(command, options->json);
   command.text("--html", options->html,
                "Write a self-contained page that shows images, differences and the worst pixels");
+  command.text("--junit", options->junit, "Write JUnit XML to this file, a test case a threshold");
+  command.text("--summary", options->summary,
+               "Append verdict, figures and a map of the errors in Markdown to this file, as CI "
+               "hosts show it");
   command.action([options] { return compare(*options); });
 }
 

@@ -42,7 +42,7 @@ int with_output_written(int exit_code) {
 
 int run(int argc, char** argv) {
   const Activity activity("starting");
-  CommandLine line("facet: a path tracer in Vulkan compute shaders that proves its images right",
+  CommandLine line("a path tracer in Vulkan compute shaders that proves its images right",
                    version_text());
   add_render_command(line);
   add_merge_command(line);
@@ -55,6 +55,8 @@ int run(int argc, char** argv) {
   add_extremes_command(line);
   add_info_command(line);
   add_devices_command(line);
+  add_selftest_command(line);
+  add_manual_command(line);
   return with_output_written(static_cast<int>(line.run(argc, argv)));
 }
 

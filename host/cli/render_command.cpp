@@ -20,6 +20,7 @@
 #include "door/open_backend.h"
 #include "door/warnings.h"
 #include "image/film.h"
+#include "parts/checkpoint.h"
 #include "parts/part.h"
 
 namespace facet::cli {
@@ -100,11 +101,7 @@ class RenderJob {
     catch_interrupts();
     request_ = make_request(options_);
     request_.variance = wants_variance(options_.aovs);
-    // The report and the progress bar tell the error.
-    request_.estimate_error = !options_.json.empty() || wants_error(options_.aovs) ||
-                              (!options_.quiet && ::isatty(STDERR_FILENO) != 0) ||
-                              // Who continues may look at other things than who began.
-                              options_.checkpoint;
+    request_.estimate_error = estimates_error();
     if (options_.time) request_.deadline = Clock::now();
     settings_ = resolve(*scene_, request_);
     check_png_size(outcome_.files, settings_.crop_width(), settings_.crop_height());
@@ -117,6 +114,17 @@ class RenderJob {
     outcome_.time_goal = options_.time;
     outcome_.is_pixel = request_.pixel.has_value();
     outcome_.load_seconds = seconds_since_start() - start;
+  }
+
+  /// Because the report and the progress bar tell the error; but a render that is continued goes on
+  /// as it began, whoever looks on now.
+  [[nodiscard]] bool estimates_error() const {
+    std::error_code unknown;
+    if (options_.resume && !wants_error(options_.aovs) &&
+        std::filesystem::exists(*options_.checkpoint, unknown))
+      return checkpoint_estimates_error(*options_.checkpoint);
+    return !options_.json.empty() || wants_error(options_.aovs) ||
+           (!options_.quiet && ::isatty(STDERR_FILENO) != 0);
   }
 
   /// How long it will take from the last sample to the end: tried with noise, which compresses

@@ -36,6 +36,14 @@ std::array<int, count> parse_integers(const std::string& text, char separator, c
   return numbers;
 }
 
+/// SCENE.exr and SCENE.png, or the EXR of a share.
+std::vector<std::string> default_files(const RenderOptions& o) {
+  const std::string stem = std::filesystem::path(o.scene).stem().string();
+  const RenderRequest request = make_request(o);
+  if (request.part || request.tile) return {share_file(stem, request.part, request.tile)};
+  return {stem + ".exr", stem + ".png"};
+}
+
 }  // namespace
 
 void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uniform) {
@@ -51,12 +59,12 @@ void add_setting_options(Command& command, RenderOptions& o) {
   RenderRequest& r = o.request;
   command.argument("scene", o.scene, "Scene file (XML)");
   command.number("--spp", r.samples, 1, static_cast<int>(largest_sample_count),
-                 "Samples per pixel");
+                 "Samples per pixel; what this and the next options leave open, the scene says");
   command.text("--integrator", r.integrator, "Integrator, by its name in the scene language");
   command.text("--sampler", r.sampler,
                "Sampler, by its name in the scene language: independent, sobol or zsobol");
   command.number("--max-depth", r.max_depth, -1, 1 << 30,
-                 "Surface interactions of a path, -1: unlimited");
+                 "Most surface interactions of a path, -1: unlimited");
   command.text("--resolution", o.resolution, "Size of the image, WxH");
   command.text("--crop", o.crop, "Render only the pixels X0,Y0,X1,Y1 (X1 and Y1 excluded)");
   add_seed_option(command, r.seed);
@@ -95,9 +103,10 @@ void add_render_options(Command& command, RenderOptions& o) {
           engine_names());
   command.text("--tile", o.tile,
                "Render only the share I/N of the rows of the image, I from 1 on; likewise");
-  command.texts("-o,--output", o.outputs,
-                "Image to write, .exr or .png; may be repeated. Default: SCENE.exr and SCENE.png "
-                "here; of a part or a tile an EXR with its number");
+  command.texts(
+      "-o,--output", o.outputs,
+      "Image to write, .exr or .png, or a folder for the default; may be repeated. "
+      "Default: SCENE.exr and SCENE.png here; of a part or a tile an EXR with its number");
   add_backend_options(command, o.backend);
   command.text(
       "--error", o.error,
@@ -108,10 +117,10 @@ void add_render_options(Command& command, RenderOptions& o) {
                  "samples then");
   command.flag("--adaptive", o.request.adaptive,
                "Pixels get samples by their variance, --spp on average");
-  command.text(
-      "--checkpoint", o.checkpoint,
-      "Save the render to this .exr time and again, and at Ctrl-C or SIGTERM; it is a part, "
-      "which facet merge reads, and is removed once the images are written");
+  command.text("--checkpoint", o.checkpoint,
+               "Save the render to this .exr time and again, and at Ctrl-C, SIGTERM or "
+               "SIGHUP; it is a part, "
+               "which facet merge reads, and is removed once the images are written");
   command.number("--checkpoint-every", o.checkpoint_every, 0.01, 1e9,
                  "Seconds between checkpoints; more where one takes long");
   command.flag("--resume", o.resume,
@@ -163,12 +172,16 @@ Overridden overridden_by(const RenderOptions& o) {
 
 std::vector<std::string> output_files(const RenderOptions& o) {
   if (o.scene.empty()) throw InputError("render: the scene's name is empty");
-  std::vector<std::string> files = o.outputs;
-  if (files.empty() && !o.pixel) {
-    const std::string stem = std::filesystem::path(o.scene).stem().string();
-    const RenderRequest request = make_request(o);
-    if (request.part || request.tile) return {share_file(stem, request.part, request.tile)};
-    files = {stem + ".exr", stem + ".png"};
+  if (o.outputs.empty()) return o.pixel ? std::vector<std::string>{} : default_files(o);
+  std::vector<std::string> files;
+  for (const std::string& output : o.outputs) {
+    std::error_code unknown;
+    if (!output.ends_with('/') && !std::filesystem::is_directory(output, unknown)) {
+      files.push_back(output);
+      continue;
+    }
+    for (const std::string& name : default_files(o))
+      files.push_back((std::filesystem::path(output) / name).string());
   }
   return files;
 }

@@ -61,7 +61,7 @@ void add_sampling_option(Command& command, LobeSampling& sampling, bool with_uni
 /// What of the scene the options replace.
 [[nodiscard]] Overridden overridden_by(const RenderOptions& options);
 
-/// Files to write: those asked for, or SCENE.exr and SCENE.png here.
+/// Files to write: those asked for, or SCENE.exr and SCENE.png here, or in a folder asked for.
 [[nodiscard]] std::vector<std::string> output_files(const RenderOptions& options);
 
 }  // namespace facet::cli

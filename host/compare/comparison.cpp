@@ -91,17 +91,19 @@ class Comparing {
   void at_most(const char* option, const char* name, double value,
                const std::optional<double>& bound) {
     // NaN exceeds every bound.
-    if (bound && !(value <= *bound))
-      c_.violations.push_back(
+    if (bound)
+      add(fmt::format("{} {:g}", option, *bound), value <= *bound,
           fmt::format("{} is {:.6g}, above {} {:g}", name, value, option, *bound));
+  }
+
+  void add(const std::string& name, bool holds, const std::string& violation) {
+    c_.thresholds.push_back({name, holds ? "" : violation});
   }
 
   void test() {
     const ErrorMetrics& e = c_.errors;
-    if (e.nonfinite > 0) {
-      c_.violations.push_back(
-          fmt::format("pixels that are not finite: {}, which no threshold lets pass", e.nonfinite));
-    }
+    add("all pixels are finite", e.nonfinite == 0,
+        fmt::format("pixels that are not finite: {}, which no threshold lets pass", e.nonfinite));
     at_most("--max-abs", "max abs", e.max_abs, o_.max_abs);
     at_most("--max-rmse", "RMSE", e.rmse, o_.max_rmse);
     at_most("--max-relmse", o_.trim ? "trimmed relMSE" : "relMSE",
@@ -109,20 +111,19 @@ class Comparing {
     at_most("--max-flip", "FLIP", c_.flip.mean, o_.max_flip);
     at_most("--max-hdrflip", "HDR-FLIP", c_.hdr_flip.mean, o_.max_hdrflip);
     at_most("--max-beyond", "the share beyond the tolerance", e.share(e.beyond), o_.max_beyond);
-    if (o_.min_identical && !(e.share(e.identical) >= *o_.min_identical)) {
-      c_.violations.push_back(
+    if (o_.min_identical)
+      add(fmt::format("--min-identical {:g}", *o_.min_identical),
+          e.share(e.identical) >= *o_.min_identical,
           fmt::format("the bit-identical share is {:.6g}, below --min-identical {:g}",
                       e.share(e.identical), *o_.min_identical));
-    }
     if (o_.z_test) test_z();
   }
 
   void test_z() {
     const std::size_t bad = count_bad_variances(c_.image) + count_bad_variances(c_.reference);
-    if (bad > 0)
-      c_.violations.push_back(
-          fmt::format("--z-test: pixels whose variance is not finite: {}", bad));
-    if (!c_.z_test->passed()) c_.violations.push_back("--z-test: " + c_.z_test->describe());
+    add("variances are finite", bad == 0,
+        fmt::format("--z-test: pixels whose variance is not finite: {}", bad));
+    add("--z-test", c_.z_test->passed(), "--z-test: " + c_.z_test->describe());
   }
 
   const CompareOptions& o_;
@@ -130,6 +131,14 @@ class Comparing {
 };
 
 }  // namespace
+
+std::vector<std::string> Comparison::violations() const {
+  std::vector<std::string> lines;
+  for (const Threshold& threshold : thresholds) {
+    if (!threshold.violation.empty()) lines.push_back(threshold.violation);
+  }
+  return lines;
+}
 
 Comparison compare_images(const CompareOptions& options) { return Comparing(options).run(); }
 

@@ -37,6 +37,12 @@ struct CompareOptions {
   }
 };
 
+/// A threshold that was asked for.
+struct Threshold {
+  std::string name;       ///< as the option: "--max-relmse 0.01"
+  std::string violation;  ///< a line; empty where it holds
+};
+
 struct Comparison {
   Image image;
   Image reference;
@@ -45,9 +51,12 @@ struct Comparison {
   ErrorMetrics errors;
   FlipResult flip;
   HdrFlipResult hdr_flip;
-  std::optional<ZTestResult> z_test;    ///< where both images have variance channels
-  std::vector<std::string> warnings;    ///< what speaks against trusting the figures
-  std::vector<std::string> violations;  ///< a line for each threshold that does not hold
+  std::optional<ZTestResult> z_test;  ///< where both images have variance channels
+  std::vector<std::string> warnings;  ///< what speaks against trusting the figures
+  std::vector<Threshold> thresholds;  ///< and that all pixels are finite
+
+  /// A line for each threshold that does not hold.
+  [[nodiscard]] std::vector<std::string> violations() const;
 };
 
 /// Reads and measures. Throws InputError for files that cannot be read or compared, and for a

@@ -1,5 +1,5 @@
 #pragma once
-// How many samples each pixel of an adaptive render gets (docs/sampling.md, "Adaptive sampling").
+// How many samples each pixel of an adaptive render gets (docs/reference/sampling.md, "Adaptive sampling").
 #include <facet/film.h>
 
 #include <utility>

@@ -1,5 +1,5 @@
 #pragma once
-// What a film says about the error of its image (docs/sampling.md, "Estimated error"); the estimate
+// What a film says about the error of its image (docs/reference/sampling.md, "Estimated error"); the estimate
 // itself is of the library's face.
 #include <vector>
 

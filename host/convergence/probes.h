@@ -1,5 +1,5 @@
 #pragma once
-// Second estimates of some pixels, and what they say of the order of samples (docs/sampling.md,
+// Second estimates of some pixels, and what they say of the order of samples (docs/reference/sampling.md,
 // "Estimated error").
 #include <vector>
 

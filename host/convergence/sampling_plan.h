@@ -1,5 +1,5 @@
 #pragma once
-// Which samples are rendered, in which order, and when there are enough (docs/sampling.md, "How
+// Which samples are rendered, in which order, and when there are enough (docs/reference/sampling.md, "How
 // many samples").
 #include <facet/film.h>
 

@@ -38,10 +38,15 @@ decltype(auto) shown(const Value& value) {
   }
 }
 
+/// Newer versions of fmt want arguments that have a name.
+template <typename... Values>
+std::string formatted(fmt::string_view format, const Values&... values) {
+  return fmt::vformat(format, fmt::make_format_args(values...));
+}
+
 template <typename... Args>
 void print(std::FILE* stream, fmt::format_string<Args...> format, const Args&... args) {
-  const std::string text =
-      fmt::vformat(fmt::string_view(format), fmt::make_format_args(shown(args)...));
+  const std::string text = formatted(fmt::string_view(format), shown(args)...);
   (void)std::fwrite(text.data(), 1, text.size(), stream);
 }
 

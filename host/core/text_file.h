@@ -8,4 +8,7 @@ namespace facet {
 /// cannot.
 void write_text(const std::string& target, const std::string& text);
 
+/// The same, after what the file holds already.
+void append_text(const std::string& target, const std::string& text);
+
 }  // namespace facet

@@ -54,7 +54,7 @@ class Microfacets {
     const Exact b = sqrt(b2);
     if (options_.masking == Masking::exact) {
       if (b > 30) return 1;
-      const Exact lambda = exp(-b2) / (2 * b * sqrt(pi)) - boost::math::erfc(b) / 2;
+      const Exact lambda = exp(-b2) / (2 * b * sqrt(pi)) - erfc(b) / 2;
       return 1 / (1 + lambda);
     }
     if (b >= Exact(16) / 10) return 1;

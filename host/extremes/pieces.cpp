@@ -1,5 +1,5 @@
-// What models are made of, by their definitions (docs/sampling.md, "Maps"; the sources that
-// shaders/lib names): microfacet distributions and masking, maps of the unit square.
+// What models are made of, by their definitions (docs/reference/sampling.md, "Maps"; the sources
+// that shaders/lib names): microfacet distributions and masking, maps of the unit square.
 #include "extremes/pieces.h"
 
 #include <boost/math/special_functions/erf.hpp>
@@ -63,7 +63,6 @@ void add_masking(std::vector<Check>& checks) {
       "Beckmann's G1, exact", range, 1e-5,
       of_model_numbers(FUNCTION_BECKMANN_G1_EXACT, [](const auto& n) {
         using Real = std::decay_t<decltype(n.a)>;
-        using boost::math::erfc;
         using std::erfc;
         using std::exp;
         using std::sqrt;
@@ -109,7 +108,7 @@ Check visible_slope_check() {
   return check;
 }
 
-/// What a choice leaves of its number (docs/sampling.md, "Choices").
+/// What a choice leaves of its number (docs/reference/sampling.md, "Choices").
 Check quotient_check() {
   Check check =
       make_check(pieces_group, "quotient of 64 bits",

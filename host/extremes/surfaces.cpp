@@ -20,7 +20,8 @@ Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[
 
 constexpr const char* too_near =
     "A ray leaves a surface from beyond 16 times 2^-24 of its largest coordinate, which is what "
-    "floats do not resolve there (docs/sampling.md, \"Ray offset\"). What lies nearer is not seen.";
+    "floats do not resolve there (docs/reference/sampling.md, \"Ray offset\"). What lies nearer is "
+    "not seen.";
 
 /// A body alone, seen from outside; its front glows, or not.
 ScenePtr alone(const TriangleMesh& body, const LookAt& view, double fov, bool glows = false) {

@@ -76,12 +76,17 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, bool validate
 vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance, bool validate,
                                                 ValidationLog* log) {
   if (!validate) return nullptr;
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  const vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError,
-                                                  Type::eValidation | Type::ePerformance,
-                                                  &on_message, log);
-  return {instance, info};
+  // Versions of Vulkan-Hpp differ in the type of the callback; the C structure's is the same in
+  // all.
+  VkDebugUtilsMessengerCreateInfoEXT info{};
+  info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                     VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  info.pfnUserCallback = &on_message;
+  info.pUserData = log;
+  return {instance, vk::DebugUtilsMessengerCreateInfoEXT(info)};
 }
 
 /// Never unloads what is loaded by now. What drivers keep for the process is lost when they are

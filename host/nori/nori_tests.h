@@ -1,5 +1,5 @@
 #pragma once
-// Nori's statistical tests of BSDFs and scenes (docs/statistics.md).
+// Nori's statistical tests of BSDFs and scenes (docs/reference/statistics.md).
 #include <functional>
 #include <memory>
 #include <optional>

@@ -169,6 +169,12 @@ void check_number(const std::string& file, const char* what, const std::string& 
         fmt::format("{}: its {} is {}, but that of this render is {}", file, what, its, own));
 }
 
+void check_is_checkpoint(const ExrHeader& header, const std::string& file) {
+  if (!is_checkpoint(header))
+    throw InputError(
+        fmt::format("{}: is no checkpoint, which facet render --checkpoint FILE.exr writes", file));
+}
+
 }  // namespace
 
 bool is_checkpoint(const ExrHeader& header) {
@@ -189,13 +195,20 @@ Image make_checkpoint(const RenderState& state) {
   return make_part(state.film, false, words, {{state_key, numbers_text(state)}});
 }
 
+bool checkpoint_estimates_error(const std::string& file) {
+  const ExrHeader header = read_exr_header(file);
+  check_is_checkpoint(header, file);
+  const PartFile checkpoint{file, header, read_record(file, header)};
+  // Of independent samples the estimate needs their squares alone.
+  return numbers_of(checkpoint).probes ||
+         (checkpoint.has_squares() && checkpoint.record.sampler == "independent");
+}
+
 RenderState read_checkpoint(const std::string& file) {
   const Image image = read_exr(file);
   const ExrHeader header{image.width(), image.height(), image.window, image.channels(),
                          image.metadata};
-  if (!is_checkpoint(header))
-    throw InputError(
-        fmt::format("{}: is no checkpoint, which facet render --checkpoint FILE.exr writes", file));
+  check_is_checkpoint(header, file);
   check_checksum(image, file);
   RenderState state;
   state.film =

@@ -13,6 +13,11 @@ namespace facet {
 /// Whether a part's header is that of a checkpoint.
 [[nodiscard]] bool is_checkpoint(const ExrHeader& header);
 
+/// Whether the render of a checkpoint estimates its error (RenderRequest::estimate_error), which
+/// whoever continues it has to do likewise. Throws InputError for a file that is no checkpoint or
+/// that is damaged.
+[[nodiscard]] bool checkpoint_estimates_error(const std::string& file);
+
 /// What a checkpoint holds, but for the film. Throws InputError for a file that is none or that is
 /// damaged.
 [[nodiscard]] RenderState read_checkpoint(const std::string& file);

@@ -1,5 +1,5 @@
 #pragma once
-// Rays from the camera (docs/sampling.md, "Camera and filter").
+// Rays from the camera (docs/reference/sampling.md, "Camera and filter").
 #include "reference/filter.h"
 #include "reference/geometry.h"
 #include "reference/random.h"

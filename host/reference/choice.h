@@ -1,5 +1,5 @@
 #pragma once
-// Discrete choices among weights by 32-bit words (docs/sampling.md, "Choices").
+// Discrete choices among weights by 32-bit words (docs/reference/sampling.md, "Choices").
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Where within its filter a sample lies, and with what weight (docs/sampling.md, "Camera and
+// Where within its filter a sample lies, and with what weight (docs/reference/sampling.md, "Camera and
 // filter").
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Rays against triangles and tree. The test is S. Woop, C. Benthin, I. Wald, "Watertight
 // Ray/Triangle Intersection", JCGT 2(1), 2013: permuted axes, a shear, and an edge function again
-// in double where it is 0; t is that of the plane (docs/sampling.md, "Intersection").
+// in double where it is 0; t is that of the plane (docs/reference/sampling.md, "Intersection").
 #include <algorithm>
 
 #include "reference/geometry.h"

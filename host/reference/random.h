@@ -1,5 +1,5 @@
 #pragma once
-// The numbers behind a sample's decisions (docs/sampling.md, "Numbers").
+// The numbers behind a sample's decisions (docs/reference/sampling.md, "Numbers").
 #include <cstdint>
 
 #include "scene/sampler.h"

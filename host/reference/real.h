@@ -50,7 +50,7 @@ struct Frame {
   Vec3<Real> t;
   Vec3<Real> n;
 
-  /// below: whether n counts as pointing to negative z (docs/sampling.md: n.z < 0).
+  /// below: whether n counts as pointing to negative z (docs/reference/sampling.md: n.z < 0).
   Frame(const Vec3<Real>& normal, bool below) : n(normal) {
     const Real sigma = below ? Real(-1) : Real(1);
     const Real a = Real(-1) / (sigma + n.z);

@@ -1,6 +1,6 @@
 #pragma once
 // The reference: the whole path from scene to film on the CPU, in float or in double, written from
-// docs/sampling.md and the papers and sharing no code with the kernels.
+// docs/reference/sampling.md and the papers and sharing no code with the kernels.
 #include "scene/testable_backend.h"
 
 namespace facet::reference {

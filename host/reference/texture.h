@@ -1,5 +1,5 @@
 #pragma once
-// Textures at a point (docs/sampling.md, "Textures").
+// Textures at a point (docs/reference/sampling.md, "Textures").
 #include "reference/grid.h"
 #include "scene/scene.h"
 

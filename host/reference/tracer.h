@@ -1,5 +1,5 @@
 #pragma once
-// One sample from the camera to its radiance, by every integrator (docs/sampling.md).
+// One sample from the camera to its radiance, by every integrator (docs/reference/sampling.md).
 #include <optional>
 #include <vector>
 

@@ -125,7 +125,7 @@ nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comp
       {"worst", worst_json(c)},
       {"z_test", nullptr},
       {"warnings", c.warnings},
-      {"violations", c.violations},
+      {"violations", c.violations()},
   };
   if (c.z_test) {
     json["z_test"] = {{"passed", c.z_test->passed()},     {"significance", options.significance},

@@ -1,7 +1,7 @@
 /* roughconductor: rough metal.
 
    f = D(wh) F(wh.wi) G(wi, wo) / (4 cos_i cos_o), G separable Smith masking. Sampling: `ndf`
-   (wh ~ D cos_h) or `visible` (Heitz and d'Eon 2014; Dupuy and Benyoub 2023), docs/sampling.md. */
+   (wh ~ D cos_h) or `visible` (Heitz and d'Eon 2014; Dupuy and Benyoub 2023), docs/reference/sampling.md. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
 #include "../lib/microfacet.glsl"

@@ -3,7 +3,7 @@
    Direction d looks up u = atan2(d.z, d.x)/2pi (+1 if negative), v = acos(d.y)/pi at image
    coordinates ((1-u) W, (1-v) H), bilinear: texel (i, j) has its value at coordinates (i, j), as in
    Nori; u wraps, v clamps. Sampled by the mean of the four texels around each cell [i, i+1) x [j,
-   j+1) times the cell's solid angle, uniformly within it (docs/sampling.md). */
+   j+1) times the cell's solid angle, uniformly within it (docs/reference/sampling.md). */
 #include "../lib/records.glsl"
 #include "../lib/elementary.glsl"
 #include "../lib/emitter_sample.glsl"

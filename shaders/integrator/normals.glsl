@@ -1,5 +1,5 @@
 /* normals: the shading normal of what the camera sees, absolute value of each component; 0 where
- * nothing is hit. */
+   nothing is hit. */
 #include "../lib/surface.glsl"
 
 vec3 shade_normals(HitRecord hit) {

@@ -12,7 +12,7 @@
    lobe, all of them follow the lobe.
 
    Emission that the camera sees directly is added once, unweighted. Russian roulette:
-   docs/sampling.md. */
+   docs/reference/sampling.md. */
 #include "path_step.glsl"
 #include "../lib/bsdf.glsl"
 #include "../lib/color.glsl"
@@ -34,7 +34,7 @@ Survival survival_of(float q) {
   return Survival(float(words) * 2.3283064365386963e-10, words);
 }
 
-/// Largest probability of going on (docs/sampling.md, "Roulette").
+/// Largest probability of going on (docs/reference/sampling.md, "Roulette").
 float largest_survival(uint k) { return 1.0 - 2.0 / float(k + 60u); }
 
 /// Weight of a sample of density `used` where `other` would have sampled it too.

@@ -5,7 +5,7 @@
 #include "choice.glsl"
 #include "random.glsl"
 
-/// Words of a sample (docs/sampling.md, "BSDF sample").
+/// Words of a sample (docs/reference/sampling.md, "BSDF sample").
 struct BsdfNumbers {
   uint lobe;
   uint u;

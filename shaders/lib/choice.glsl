@@ -1,4 +1,4 @@
-// Discrete choices by cumulative counts (docs/sampling.md, "Choices").
+// Discrete choices by cumulative counts (docs/reference/sampling.md, "Choices").
 #ifndef FACET_CHOICE_GLSL
 #define FACET_CHOICE_GLSL
 

@@ -1,5 +1,5 @@
 // Choice of what to sample among all that emits from a place, by what it can send to a point
-// (docs/sampling.md, "Light tree").
+// (docs/reference/sampling.md, "Light tree").
 #ifndef FACET_LIGHT_TREE_GLSL
 #define FACET_LIGHT_TREE_GLSL
 #include "choice.glsl"

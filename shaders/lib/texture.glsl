@@ -1,4 +1,4 @@
-// Textures: colours over (u, v) (docs/sampling.md, "Textures"); manuals in
+// Textures: colours over (u, v) (docs/reference/sampling.md, "Textures"); manuals in
 // host/scene/texture/texture.h.
 #ifndef FACET_TEXTURE_GLSL
 #define FACET_TEXTURE_GLSL

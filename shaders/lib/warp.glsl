@@ -1,4 +1,4 @@
-// Maps from the unit square to directions and points (docs/sampling.md, "Maps").
+// Maps from the unit square to directions and points (docs/reference/sampling.md, "Maps").
 #ifndef FACET_WARP_GLSL
 #define FACET_WARP_GLSL
 #include "elementary.glsl"

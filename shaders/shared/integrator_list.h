@@ -9,7 +9,7 @@
 #include "types.h"
 FACET_SHARED_BEGIN
 
-/// First interaction at which the path kernel plays Russian roulette (docs/sampling.md).
+/// First interaction at which the path kernel plays Russian roulette (docs/reference/sampling.md).
 FACET_CONSTANT uint ROULETTE_FIRST = 4u;
 
 /// Most candidates of an emitter sample.

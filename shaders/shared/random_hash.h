@@ -1,4 +1,4 @@
-// The integers behind every random number (docs/sampling.md, "Numbers").
+// The integers behind every random number (docs/reference/sampling.md, "Numbers").
 // Sources: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg4d); B.
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; S. Laine, T. Karras, "Stratified
 // Sampling for Stochastic Transparency", 2011, with the constants of N. Vegdahl, "Building a Better

@@ -110,7 +110,7 @@ struct EmitterRecord {
   vec4 position;    // world space (point lights)
   uint type;        // id of emitter_list.h
   uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
-                    // (docs/sampling.md)
+                    // (docs/reference/sampling.md)
   uint first_triangle;  // range of emitter_triangles or, where there is a light tree, of
                         // emitter_places: all triangles of the mesh, in order of reading
   uint triangle_count;

@@ -137,6 +137,23 @@ TEST_F(CheckpointCliTest, AnInterruptSavesWhatThereIs) {
             *find_metadata(header.metadata, "facet.samples"));
 }
 
+TEST_F(CheckpointCliTest, ARenderGoesOnAsItBeganWhoeverLooksOn) {
+  // Whether its error is estimated, which costs samples of its own.
+  const Words sobol{"--sampler", "sobol"};
+  const Words reported = with(sobol, {"--json", "r.json"});
+  for (const bool estimated : {false, true}) {
+    std::filesystem::remove(checkpoint());
+    make_checkpoint(estimated ? reported : sobol);
+    const pid_t child = start(saved(
+        with({"--spp", "100000000", "-o", "a.exr", "--resume"}, estimated ? sobol : reported)));
+    EXPECT_TRUE(wait_for_checkpoint(child));
+    ::kill(child, SIGTERM);
+    const Result result = finish(child);
+    EXPECT_EQ(result.code, 130) << result.err;
+    expect_words(result.err, {"continued"});
+  }
+}
+
 TEST_F(CheckpointCliTest, CheckpointsOfOtherRendersAreRefused) {
   make_checkpoint({"--seed", "3"});
   const std::string before = folder_.read("ck.exr");

@@ -244,6 +244,18 @@ TEST_F(RenderCliTest, ValidationLayersAreSilent) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(RenderCliTest, WritesTheDefaultIntoAFolder) {
+  std::filesystem::create_directory(folder_.file("images"));
+  ASSERT_EQ(run({"render", "scene.xml", "-o", "images"}).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("images/scene.exr")));
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("images/scene.png")));
+  ASSERT_EQ(run({"render", "scene.xml", "-o", "images/", "--part", "1/2"}).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("images/scene_part_1_of_2.exr")));
+  const Result none = run({"render", "scene.xml", "-o", "none/"});
+  EXPECT_EQ(none.code, 2);
+  expect_words(none.err, {"none/scene.exr", "no such folder"});
+}
+
 }  // namespace
 
 }  // namespace facet::test

@@ -1,5 +1,5 @@
 # cmake -DSOURCE=... -DWORK=... -P check.cmake
-# Does what CONTRIBUTING.md says of adding a BSDF, in a copy of the tree, and asks for it in the
+# Does what docs/guide/adding-a-bsdf.md says, in a copy of the tree, and asks for it in the
 # program and in the tests.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/tree)
@@ -8,7 +8,7 @@ foreach(part CMakeLists.txt CMakePresets.json cmake docs examples host include s
 endforeach()
 
 # The block of code that follows the first mention of a file.
-file(READ ${SOURCE}/CONTRIBUTING.md page)
+file(READ ${SOURCE}/docs/guide/adding-a-bsdf.md page)
 function(code_after mention result)
   string(FIND "${page}" "`${mention}`" at)
   string(SUBSTRING "${page}" ${at} -1 rest)
@@ -22,8 +22,6 @@ function(code_after mention result)
   string(SUBSTRING "${rest}" 0 ${end} code)
   set(${result} "${code}" PARENT_SCOPE)
 endfunction()
-string(FIND "${page}" "## A BSDF in ten minutes" begin)
-string(SUBSTRING "${page}" ${begin} -1 page)
 foreach(file host/scene/bsdf/dust.h shaders/bsdf/dust.glsl host/reference/bsdf/dust.h)
   code_after(${file} code)
   file(WRITE ${WORK}/tree/${file} "${code}")

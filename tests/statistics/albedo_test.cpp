@@ -1,5 +1,5 @@
 // Albedos of the rough BSDFs where they absorb nothing, by angle and roughness, on the kernels: no
-// model makes light. FACET_ALBEDO_PAGE=docs/albedo.md in the environment writes them down.
+// model makes light. FACET_ALBEDO_PAGE=docs/reference/albedo.md in the environment writes them down.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -108,7 +108,7 @@ TEST(Albedo, what_absorbs_nothing_makes_no_light) {
       "`fresnelblend`, "
       "which has no masking, still\n"
       "gains nothing, since it divides by the larger cosine. Written by\n\n"
-      "    FACET_ALBEDO_PAGE=docs/albedo.md build/release/tests/albedo_test\n\n";
+      "    FACET_ALBEDO_PAGE=docs/reference/albedo.md build/release/tests/albedo_test\n\n";
   const std::vector<Model> list = models(bsdf::Distribution::beckmann, 0.1F);
   for (std::size_t i = 0; i < list.size(); ++i) {
     page += "## " + list[i].title + "\n\n";

@@ -168,7 +168,7 @@ TEST(ReferenceBsdf, values_are_their_definitions) {
         const Direction value = model.eval(Direction(pair.wo), Direction(pair.wi), probe);
         for (std::size_t k = 0; k < 3; ++k) {
           const auto f = static_cast<double>(expected->f.at(k));
-          // Beckmann's distribution ends at e^-87 (docs/sampling.md).
+          // Beckmann's distribution ends at e^-87 (docs/reference/sampling.md).
           const double lost = expected->exponent >= 87 ? 1e-34 : 0;
           EXPECT_NEAR(value[static_cast<int>(k)], f, 1e-6 * f + lost) << b.name;
           positive += f > lost ? 1 : 0;

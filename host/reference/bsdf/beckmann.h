@@ -19,7 +19,7 @@ class Beckmann {
     if (!(h.z > 0)) return 0;
     const Real tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
     const Real exponent = probe.nudged(tan2 / (alpha_ * alpha_));
-    // docs/sampling.md: D is 0 from an exponent of 87 on.
+    // docs/reference/sampling.md: D is 0 from an exponent of 87 on.
     if (probe.reaches(DecisionKind::tail, exponent, 87)) return 0;
     const Real slope_density = std::exp(-exponent) / (pi<Real> * alpha_ * alpha_);
     return slope_density * (1 + tan2) * (1 + tan2);

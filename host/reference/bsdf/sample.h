@@ -35,7 +35,7 @@ struct DeltaLobes {
   }
 };
 
-/// Words of a BSDF sample (docs/sampling.md, "BSDF sample").
+/// Words of a BSDF sample (docs/reference/sampling.md, "BSDF sample").
 class BsdfNumbers {
  public:
   BsdfNumbers(std::uint32_t lobe, std::uint32_t u, std::uint32_t v) : lobe_(lobe), u_(u), v_(v) {}

@@ -8,7 +8,7 @@
 namespace facet::reference {
 
 /// Light from infinity by a latitude-longitude map, bilinear; sampled by the cells between texels,
-/// of equal angles (docs/sampling.md, "Environment").
+/// of equal angles (docs/reference/sampling.md, "Environment").
 template <typename Real>
 class Environment {
  public:

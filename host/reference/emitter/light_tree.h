@@ -1,5 +1,5 @@
 #pragma once
-// What to sample among all that emits from a place (docs/sampling.md, "Light tree").
+// What to sample among all that emits from a place (docs/reference/sampling.md, "Light tree").
 #include <span>
 #include <vector>
 

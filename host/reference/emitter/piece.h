@@ -1,5 +1,5 @@
 #pragma once
-// What an emitting mesh is sampled by: triangles, and pairs of them (docs/sampling.md, "Emitter
+// What an emitting mesh is sampled by: triangles, and pairs of them (docs/reference/sampling.md, "Emitter
 // sample").
 #include <array>
 #include <cmath>

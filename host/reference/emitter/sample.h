@@ -6,7 +6,7 @@
 
 namespace facet::reference {
 
-/// Words of an emitter sample (docs/sampling.md, "Emitter sample").
+/// Words of an emitter sample (docs/reference/sampling.md, "Emitter sample").
 struct EmitterNumbers {
   std::uint32_t u = 0;
   std::uint32_t v = 0;

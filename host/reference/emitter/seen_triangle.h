@@ -1,5 +1,5 @@
 #pragma once
-// A triangle as it is seen from a point (docs/sampling.md, "By solid angle").
+// A triangle as it is seen from a point (docs/reference/sampling.md, "By solid angle").
 #include <algorithm>
 #include <cmath>
 

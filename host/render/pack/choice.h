@@ -1,5 +1,5 @@
 #pragma once
-// Discrete choices by 32-bit words (docs/sampling.md, "Choices").
+// Discrete choices by 32-bit words (docs/reference/sampling.md, "Choices").
 #include <cstdint>
 #include <span>
 #include <vector>

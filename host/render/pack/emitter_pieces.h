@@ -1,5 +1,5 @@
 #pragma once
-// What an area emitter's mesh is sampled by (docs/sampling.md, "Emitter sample").
+// What an area emitter's mesh is sampled by (docs/reference/sampling.md, "Emitter sample").
 #include <cstdint>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The sampling density of an environment (docs/sampling.md, "Environment").
+// The sampling density of an environment (docs/reference/sampling.md, "Environment").
 #include <vector>
 
 #include "scene/scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The reconstruction filter as a table from which pixel offsets are sampled (docs/sampling.md,
+// The reconstruction filter as a table from which pixel offsets are sampled (docs/reference/sampling.md,
 // "Filter").
 #include <vector>
 

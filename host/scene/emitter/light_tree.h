@@ -1,6 +1,6 @@
 #pragma once
 // The tree over all that emits from a place, by which an emitter sample finds what can light a
-// point (docs/sampling.md, "Light tree").
+// point (docs/reference/sampling.md, "Light tree").
 #include <cstddef>
 #include <cstdint>
 #include <span>
