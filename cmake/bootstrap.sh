@@ -111,17 +111,29 @@ output_options() {
   esac
 }
 
+# The picture of the README, as soon as the library is built, by the first of the examples; the rest
+# of the program is built while the user looks at it.
+first_picture() {
+  build example_render facet_scenes
+  wait "$driver"
+  folder=$(output_options)
+  scene=$root/scenes/still_life/still_life.xml
+  say "rendering $scene"
+  "$root/build/release/examples/example_render" "$scene" \
+    "${folder}still_life.exr" "${folder}still_life.png" || fail "rendering failed"
+  say "wrote ${folder}still_life.exr and ${folder}still_life.png"
+  say "now building the rest of the program: compare, parity, tradeoff, ..."
+  build facet
+  say "done: $root/build/release/host/facet; next: sh cmake/bootstrap.sh render SCENE.xml," \
+    "or the first ten minutes in docs/guide/quick-start.md"
+}
+
 render() {
-  if [ $# -eq 0 ]; then
-    set -- "$root/scenes/still_life/still_life.xml"
-    first=1
-  fi
+  build facet facet_scenes
+  wait "$driver"
   folder=$(output_options "$@")
   [ -z "$folder" ] || set -- "$@" -o "$folder"
-  [ -n "${first:-}" ] || exec "$root/build/release/host/facet" render "$@"
-  "$root/build/release/host/facet" render "$@"
-  say "look at still_life.png above; the program is $root/build/release/host/facet;" \
-    "try next: sh cmake/bootstrap.sh render SCENE.xml, or docs/guide/quick-start.md"
+  exec "$root/build/release/host/facet" render "$@"
 }
 
 root=$(cd "$(dirname "$0")/.." && pwd -P)
@@ -135,11 +147,16 @@ case $command in
     # The driver is installed while the compiler runs.
     # shellcheck disable=SC2086
     (install_packages $driver_packages) &
+    driver=$!
     # Whatever becomes of the build, dpkg is not left at work.
-    (build facet facet_scenes) || failed=1
-    wait $! || failed=1
-    [ -z "${failed:-}" ] || exit 2
-    render "$@"
+    trap 'wait "$driver"' EXIT
+    if [ $# -gt 0 ]; then
+      render "$@"
+    elif [ -x "$root/build/release/host/facet" ]; then
+      render "$root/scenes/still_life/still_life.xml"
+    else
+      first_picture
+    fi
     ;;
   test)
     # shellcheck disable=SC2086
