@@ -119,7 +119,7 @@ first_picture() {
   folder=$(output_options)
   scene=$root/scenes/still_life/still_life.xml
   say "rendering $scene"
-  "$root/build/release/examples/example_render" "$scene" \
+  "$root/build/release/examples/render" "$scene" \
     "${folder}still_life.exr" "${folder}still_life.png" || fail "rendering failed"
   say "wrote ${folder}still_life.exr and ${folder}still_life.png"
   say "now building the rest of the program: compare, parity, tradeoff, ..."
