@@ -7,7 +7,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/facet)
 install(TARGETS facet EXPORT facet-targets COMPONENT program)
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/scenes COMPONENT program
   PATTERN "generate" EXCLUDE PATTERN ".*" EXCLUDE)
-install(FILES farm/slurm/submit.sh farm/slurm/part.sbatch farm/slurm/merge.sbatch
+install(PROGRAMS farm/slurm/submit.sh farm/slurm/part.sbatch farm/slurm/merge.sbatch
   DESTINATION ${CMAKE_INSTALL_DATADIR}/facet/farm/slurm COMPONENT program)
 
 # What the program says of itself.

@@ -1,7 +1,10 @@
 # cpack: facet_*.deb and libfacet-dev_*.deb. cmake/release.sh calls it with what makes them the same
 # bytes whoever builds them.
-set(maintainer "The facet authors <facet@localhost.localdomain>")
-set(debian_version ${PROJECT_VERSION}-1)
+# The project has no address of its own yet; the domain is one that RFC 2606 keeps for nobody.
+set(maintainer "The facet authors <authors@facet.example.org>")
+# A revision of 0: Debian itself has no such package.
+set(debian_revision 0facet1)
+set(debian_version ${PROJECT_VERSION}-${debian_revision})
 
 # Debian's policy: each package brings its licence and its changes, dated by the last commit.
 string(TIMESTAMP change_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -48,7 +51,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${debian_revision})
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME facet)
@@ -56,11 +59,12 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # The Vulkan loader is opened while the program runs; any driver will do.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY
+  "path tracer in Vulkan compute shaders that proves its images right")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-"path tracer in Vulkan compute shaders that proves its images right
- facet renders scenes in Nori's language on any Vulkan device, Mesa's software
- driver included, compares images, and checks kernels against a CPU reference,
- sample by sample.")
+"facet renders scenes in Nori's language on any Vulkan device, Mesa's software
+driver included, compares images, and checks kernels against a CPU reference,
+sample by sample.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfacet-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -68,7 +72,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "facet (= ${debian_version}), libfmt-dev, libpugixml-dev, libopenexr-dev, libpng-dev, libjpeg-dev, zlib1g-dev, libtinyobjloader-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-"path tracer in Vulkan compute shaders, as a library
- One header and a CMake package: scenes from files or memory, renders on Vulkan
- devices or by the CPU reference, images and their comparison.")
+"This is the library of the program facet, with one header and a CMake package:
+scenes from files or memory, renders on Vulkan devices or by the CPU reference,
+images and their comparison.")
 include(CPack)

@@ -1,12 +1,13 @@
-"""python3 trade.py REPORT.json OUT.svg: error against seconds, from `facet tradeoff --json`.
+"""python3 trade.py REPORT.json OUT.svg CHOICE...: error against seconds, from `facet tradeoff --json`.
 
-One dot a choice, on logarithmic axes; the front, which nothing else beats in both, is a line.
+A line a choice, through its numbers of samples, on logarithmic axes.
 """
 import json
 import math
 import sys
 
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 760, 400, 64, 34, 190, 48
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 760, 380, 64, 34, 190, 48
+COLORS = ["#c0392b", "#1a7f4b", "#2b5fb0", "#8e5ab5", "#b8801b", "#4a5563"]
 
 
 def axis(low, high):
@@ -19,7 +20,8 @@ def axis(low, high):
 
 def main():
     report = json.load(open(sys.argv[1]))
-    points = [p for p in report["points"] if p["seconds"] > 0 and p["relmse_trimmed"] > 0]
+    names = sys.argv[3:]
+    points = [p for p in report["points"] if p["name"] in names and p["relmse_trimmed"] > 0]
     for p in points:
         p["error"] = 100 * math.sqrt(p["relmse_trimmed"])
     xs, ys = [p["seconds"] for p in points], [p["error"] for p in points]
@@ -41,29 +43,27 @@ def main():
     series = {}
     for p in points:
         series.setdefault(p["name"], []).append(p)
-    front = sorted((p for p in points if p["front"]), key=lambda p: p["seconds"])
-    line = " ".join("%.1f,%.1f" % place(p["seconds"], p["error"]) for p in front)
-    out.append(f'<polyline points="{line}"/>')
-    labels = []
-    for name, list_ in series.items():
-        kind = "best" if name == "best" else "default" if name == "default" else "other"
-        last = max(list_, key=lambda p: p["seconds"])
-        for p in list_:
-            px, py = place(p["seconds"], p["error"])
-            out.append(f'<circle class="{kind}" cx="{px:.1f}" cy="{py:.1f}" r="4">'
-                       f'<title>{name}, {p["spp"]} samples: {p["error"]:.2g} % in {p["seconds"]:.2g} s'
-                       f'</title></circle>')
-        labels.append([place(last["seconds"], last["error"])[1], name, kind])
-    labels.sort()
-    for i, label in enumerate(labels[1:], 1):
-        label[0] = max(label[0], labels[i - 1][0] + 15)
-    for y, name, kind in labels:
-        out.append(f'<text class="{kind}" x="{WIDTH - RIGHT + 12}" y="{y + 4:.1f}">{name}</text>')
+    ends = []
+    for name in names:
+        list_ = sorted(series[name], key=lambda p: p["seconds"])
+        color = COLORS[len(ends) % len(COLORS)]
+        places = [place(p["seconds"], p["error"]) for p in list_]
+        out.append(f'<polyline stroke="{color}" points="{" ".join("%.1f,%.1f" % q for q in places)}"/>')
+        for p, (px, py) in zip(list_, places):
+            out.append(f'<circle fill="{color}" cx="{px:.1f}" cy="{py:.1f}" r="4"><title>{name}, '
+                       f'{p["spp"]} samples: {p["error"]:.2g} % in {p["seconds"]:.2g} s</title></circle>')
+        ends.append([places[-1][1], places[-1], name, color])
+    ends.sort()
+    for i, end in enumerate(ends[1:], 1):
+        end[0] = max(end[0], ends[i - 1][0] + 17)
+    for y, (px, py), name, color in ends:
+        out.append(f'<path stroke="{color}" d="M{px + 6:.1f} {py:.1f} L{WIDTH - RIGHT + 8} {y:.1f}"/>'
+                   f'<text fill="{color}" x="{WIDTH - RIGHT + 12}" y="{y + 4:.1f}">{name}</text>')
     open(sys.argv[2], "w").write(f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13">
 <title>Error against seconds</title>
-<style>.g{{stroke:#dde3ea}}.m{{text-anchor:middle}}.e{{text-anchor:end}}polyline{{fill:none;stroke:#1a7f4b;stroke-width:1.6}}circle.other{{fill:#8795a6}}circle.default{{fill:#c0392b}}circle.best{{fill:#1a7f4b}}text.default{{fill:#c0392b;font-weight:600}}text.best{{fill:#1a7f4b;font-weight:600}}text.other{{fill:#445}}</style>
+<style>.g{{stroke:#dde3ea}}.m{{text-anchor:middle}}.e{{text-anchor:end}}polyline,path{{fill:none;stroke-width:1.6}}path{{stroke-width:.7}}</style>
 <rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/>
-<text x="{LEFT}" y="20">error (root of trimmed relMSE) against seconds of rendering; the line is what nothing beats</text>
+<text x="{LEFT}" y="20">error (root of trimmed relMSE) against seconds of rendering, two cores</text>
 {chr(10).join(out)}
 </svg>
 """)
