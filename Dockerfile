@@ -1,6 +1,6 @@
 # docker build -t facet . && docker run --rm -v "$PWD:/scenes" -w /scenes facet render scene.xml
 FROM debian:12 AS build
-RUN apt-get update && apt-get install -y --no-install-recommends git ca-certificates dpkg-dev
+RUN apt-get update && apt-get install -y --no-install-recommends git ca-certificates
 COPY . /facet
 RUN sh /facet/cmake/bootstrap.sh packages
 

@@ -13,6 +13,7 @@ packages="g++ cmake ninja-build libvulkan-dev glslang-tools spirv-tools spirv-he
   libboost-dev libmpfr-dev libtinyobjloader-dev libopenexr-dev libpng-dev libjpeg-dev zlib1g-dev
   libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev"
 driver_packages="mesa-vulkan-drivers" # not needed for building
+package_packages="git dpkg-dev file"
 test_packages="libgtest-dev vulkan-validationlayers aspell aspell-en mkdocs"
 # Of these a test that lacks them is skipped: Ubuntu has no browser as a package.
 optional_packages="chromium" # looks at the pages that facet writes
@@ -144,12 +145,17 @@ case $command in
   render)
     # shellcheck disable=SC2086
     install_packages $packages
-    # The driver is installed while the compiler runs.
+    # The driver is installed while the compiler runs, when nobody can be asked for a password.
+    # shellcheck disable=SC2086
+    missing=$(missing_packages $driver_packages)
+    [ -z "$missing" ] || find_root
     # shellcheck disable=SC2086
     (install_packages $driver_packages) &
     driver=$!
     # Whatever becomes of the build, dpkg is not left at work.
-    trap 'wait "$driver"' EXIT
+    trap 'wait "$driver" || true' EXIT
+    trap 'exit 130' INT
+    trap 'exit 143' TERM
     if [ $# -gt 0 ]; then
       render "$@"
     elif [ -x "$root/build/release/host/facet" ]; then
@@ -180,7 +186,7 @@ case $command in
     ;;
   packages)
     # shellcheck disable=SC2086
-    install_packages $packages git dpkg-dev
+    install_packages $packages $package_packages
     exec sh "$root/cmake/release.sh" packages
     ;;
   *) usage ;;

@@ -31,7 +31,12 @@ endif()
 function(facet_compile target speed)
   target_compile_options(${target} PRIVATE ${facet_optimisation_${speed}})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${FACET_UNITY} UNITY_BUILD_BATCH_SIZE 16)
-  # Precompiled headers serve whoever has the very same options.
+  # Precompiled headers serve whoever has the very same options: executables are compiled otherwise
+  # where position-independent code is asked for.
+  get_target_property(type ${target} TYPE)
+  if(CMAKE_POSITION_INDEPENDENT_CODE AND type STREQUAL "EXECUTABLE")
+    return()
+  endif()
   if(FACET_UNITY AND NOT speed STREQUAL "hot")
     target_precompile_headers(${target} REUSE_FROM facet_headers_${speed})
     target_link_libraries(${target} PRIVATE fmt::fmt glm::glm)

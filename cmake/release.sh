@@ -4,7 +4,7 @@
 #     sh cmake/release.sh packages    tarball, Debian packages and checksums, in build/packages
 #     sh cmake/release.sh tag         check, packages, and the tag
 # Two runs for one commit make the same bytes, wherever the sources lie. Needs what
-# cmake/bootstrap.sh installs, git and dpkg-dev.
+# cmake/bootstrap.sh installs for it.
 set -eu
 
 say() { echo "release: $*" >&2; }
@@ -28,15 +28,19 @@ check() {
 }
 
 packages() {
-  command -v dpkg-shlibdeps >/dev/null || fail "install dpkg-dev"
+  for needed in dpkg-shlibdeps:dpkg-dev file:file git:git; do
+    command -v "${needed%:*}" >/dev/null || fail "install ${needed#*:}"
+  done
   # Dates inside are that of the commit, and paths are those of the tarball.
   SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
   export SOURCE_DATE_EPOCH TZ=UTC LC_ALL=C
+  unset CFLAGS CXXFLAGS CPPFLAGS LDFLAGS CC CXX CMAKE_PREFIX_PATH
   umask 022
   to=$root/build/packages
   rm -rf "$to"
   mkdir -p "$to/work"
-  git archive --format=tar --prefix="facet-$version/" HEAD | gzip -9n >"$to/facet-$version.tar.gz"
+  git -c tar.umask=0022 archive --format=tar --prefix="facet-$version/" -o "$to/facet-$version.tar" HEAD
+  gzip -9n "$to/facet-$version.tar"
   tar -xzf "$to/facet-$version.tar.gz" -C "$to/work"
   (
     cd "$to/work"

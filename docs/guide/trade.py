@@ -21,6 +21,9 @@ def axis(low, high):
 def main():
     report = json.load(open(sys.argv[1]))
     names = sys.argv[3:]
+    for name in names:
+        if not any(p["name"] == name for p in report["points"]):
+            sys.exit(f"{sys.argv[1]} has no choice {name}")
     points = [p for p in report["points"] if p["name"] in names and p["relmse_trimmed"] > 0]
     for p in points:
         p["error"] = 100 * math.sqrt(p["relmse_trimmed"])

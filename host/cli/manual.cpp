@@ -123,13 +123,14 @@ std::string option_names(const CommandManual& command) {
   return names;
 }
 
-/// Cases of what may follow an option: its words, a file, or nothing that is known.
+/// Cases of the words that may follow an option.
 std::string value_cases(const CommandManual& command) {
   std::string cases;
   visit_options(command, [&](const OptionManual& option) {
     if (option.is_argument || option.value.empty() || option.words.empty()) return;
-    cases += fmt::format("        {}.{}) words=\"{}\" ;;\n", command.name, option.names.back(),
-                         fmt::join(option.words, " "));
+    for (const std::string& name : option.names)
+      cases += fmt::format("        {}.{}) words=\"{}\" ;;\n", command.name, name,
+                           fmt::join(option.words, " "));
   });
   return cases;
 }
@@ -199,7 +200,7 @@ std::string bash_completion(const ProgramManual& program) {
     values += value_cases(command);
   }
   return fmt::format(
-      R"(# Completion of facet's commands, options and words; made by `facet manual bash`.
+      R"(# Completion of facet's commands, options and words; made by `facet manual --form bash`.
 _facet() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=""
   COMPREPLY=()

@@ -175,8 +175,11 @@ std::vector<std::string> output_files(const RenderOptions& o) {
   if (o.outputs.empty()) return o.pixel ? std::vector<std::string>{} : default_files(o);
   std::vector<std::string> files;
   for (const std::string& output : o.outputs) {
+    // What is named as an image is one, and an error where it is a folder.
     std::error_code unknown;
-    if (!output.ends_with('/') && !std::filesystem::is_directory(output, unknown)) {
+    const bool is_folder = !output.ends_with(".exr") && !output.ends_with(".png") &&
+                           std::filesystem::is_directory(output, unknown);
+    if (!output.ends_with('/') && !is_folder) {
       files.push_back(output);
       continue;
     }

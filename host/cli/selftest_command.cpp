@@ -1,14 +1,16 @@
 // facet selftest: whether a device that nobody has tried yet renders right, and how fast; the
 // report is what a bug's author attaches.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "cli/backend_options.h"
 #include "cli/commands.h"
@@ -76,7 +78,7 @@ class Selftest {
     tell(fmt::format("facet {} (built with {})", FACET_VERSION, FACET_COMPILER));
     tell(system_text());
     for (const gpu::DeviceInfo& device : gpu::list_devices()) tell(device_text(device));
-    backend_.emplace(options_.device, options_.validate);
+    open_backend();
     tell(fmt::format("tested: {}, {}", backend_->name(), backend_->driver()));
     tell("");
     catch_interrupts();
@@ -96,6 +98,17 @@ class Selftest {
   }
 
  private:
+  /// What keeps a device from being opened is what its user has to report.
+  void open_backend() {
+    try {
+      backend_.emplace(options_.device, options_.validate);
+    } catch (const Error& error) {
+      tell(fmt::format("FAILED  no device: {}", error.what()));
+      keep();
+      throw;
+    }
+  }
+
   void tell(const std::string& line) {
     const std::string shown = printable(line, line.size()) + '\n';
     put_text(shown);
@@ -110,7 +123,7 @@ class Selftest {
     Verdict verdict;
     try {
       verdict = measure();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       verdict.faults.emplace_back(error.what());
     }
     // Half of a check proves nothing.
@@ -234,7 +247,7 @@ class Selftest {
   }
 
   void keep() {
-    if (options_.report.empty() || options_.report == "-") return;
+    if (options_.report.empty()) return;
     write_text(options_.report, text_);
     put("report: {} (please attach it where you tell of a fault)\n", options_.report);
   }
@@ -255,7 +268,8 @@ void add_selftest_command(CommandLine& line) {
       "Try a device in less than two minutes: its arithmetic, a furnace, parity of two scenes, "
       "the same bits twice, speed; exits 1 where a check does not hold");
   add_device_option(command, options->device);
-  command.text("-o,--output", options->report, "Also write the report to this file; -: to none");
+  command.text("-o,--output", options->report,
+               "Also write the report to this file; empty: to none");
   command.flag("--validate", options->validate, "Run with Vulkan's validation layers");
   command.action([options] { return Selftest(*options).run(); });
 }

@@ -1,9 +1,10 @@
 #include "core/text_file.h"
 
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <cstring>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -21,14 +22,14 @@ void write_text(const std::string& target, const std::string& text) {
 }
 
 void append_text(const std::string& target, const std::string& text) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(target, unknown)) return write_text(target, text);
-  std::ifstream file(target, std::ios::binary);
-  std::ostringstream before;
-  before << file.rdbuf();
-  // An empty file sets the stream's failure, since nothing was copied.
-  if (!file.is_open() || file.bad()) throw InputError(target + ": cannot be read");
-  write_text(target, before.str() + text);
+  if (target == "-") return write_text(target, text);
+  // What others append meanwhile stays.
+  std::FILE* file = std::fopen(target.c_str(), "abe");
+  const bool written =
+      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = file != nullptr && std::fclose(file) == 0;
+  if (!written || !closed)
+    throw InputError(fmt::format("{}: cannot write: {}", target, std::strerror(errno)));
 }
 
 }  // namespace facet

@@ -8,7 +8,7 @@ namespace facet {
 /// cannot.
 void write_text(const std::string& target, const std::string& text);
 
-/// The same, after what the file holds already.
+/// Writes the text behind what the file holds already. Throws InputError if it cannot.
 void append_text(const std::string& target, const std::string& text);
 
 }  // namespace facet

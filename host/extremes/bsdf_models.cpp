@@ -1,7 +1,6 @@
 #include "extremes/bsdf_models.h"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
 

@@ -10,4 +10,13 @@ using Exact = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<48, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
 
+/// To be made by every thread that computes with these and ends: MPFR keeps constants for each.
+class ExactThread {
+ public:
+  ExactThread() = default;
+  ~ExactThread() { mpfr_free_cache(); }
+  ExactThread(const ExactThread&) = delete;
+  ExactThread& operator=(const ExactThread&) = delete;
+};
+
 }  // namespace facet::extremes

@@ -2,8 +2,6 @@
 // that shaders/lib names): microfacet distributions and masking, maps of the unit square.
 #include "extremes/pieces.h"
 
-#include <boost/math/special_functions/erf.hpp>
-
 namespace facet::extremes {
 
 namespace {

@@ -17,10 +17,31 @@ namespace {
 /// Squares along the longer side of the image.
 constexpr int most_squares = 24;
 
+/// Without control characters, and with "?" for whatever is no character of UTF-8: readers of XML
+/// refuse a whole report for one.
+std::string valid_text(const std::string& text) {
+  const std::string clean = printable(text);
+  std::string result;
+  for (std::size_t i = 0; i < clean.size();) {
+    const auto lead = static_cast<unsigned char>(clean[i]);
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xC2 && lead < 0xE0 ? 2
+                               : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                             : 0;
+    bool is_valid = length > 0 && i + length <= clean.size();
+    for (std::size_t k = 1; is_valid && k < length; ++k)
+      is_valid = (static_cast<unsigned char>(clean[i + k]) & 0xC0U) == 0x80U;
+    result += is_valid ? clean.substr(i, length) : "?";
+    i += is_valid ? length : 1;
+  }
+  return result;
+}
+
 /// Names are strangers': nothing of them is taken for Markdown or HTML.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : printable(text)) {
+  for (const char c : valid_text(text)) {
     switch (c) {
       case '<':
         result += "&lt;";
@@ -115,12 +136,12 @@ std::string comparison_junit(const CompareOptions& options, const Comparison& c)
   pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
   const auto add = [&](const std::string& name) {
     pugi::xml_node one = suite.append_child("testcase");
-    one.append_attribute("classname") = options.image.c_str();
+    one.append_attribute("classname") = valid_text(options.image).c_str();
     one.append_attribute("name") = name.c_str();
     return one;
   };
   suite.append_attribute("name") =
-      fmt::format("{} against {}", options.image, options.reference).c_str();
+      valid_text(fmt::format("{} against {}", options.image, options.reference)).c_str();
   suite.append_attribute("tests") = std::max<std::size_t>(c.thresholds.size(), 1);
   suite.append_attribute("failures") = c.violations().size();
   if (c.thresholds.empty()) add("compared");

@@ -106,6 +106,17 @@ TEST_F(CompareSummaryCliTest, JUnitHasACaseAThreshold) {
   EXPECT_EQ(cases("s.xml").size(), 1U);
 }
 
+TEST_F(CompareSummaryCliTest, JUnitIsReadableWhateverTheFilesAreCalled) {
+  const std::string name = "a\x01\xff\xc3<\".exr";
+  write(name, 1);
+  ASSERT_EQ(run({"compare", name, name, "--junit", "r.xml", "--summary", "s.md"}).code, 0);
+  EXPECT_EQ(cases("r.xml").size(), 1U);
+  for (const char* file : {"r.xml", "s.md"}) {
+    for (const char byte : {'\x01', '\xff', '\xc3'})
+      EXPECT_EQ(text_of(file).find(byte), std::string::npos) << file;
+  }
+}
+
 TEST_F(CompareSummaryCliTest, NeitherTakesTheImagesPlace) {
   write("a.exr", 1);
   for (const char* option : {"--junit", "--summary"}) {

@@ -96,6 +96,7 @@ class DocsCommands : public CliTest, public ::testing::WithParamInterface<std::s
     };
     render({"--aov", "variance", "-o", "a.exr"});
     render({"--aov", "variance", "--seed", "1", "-o", "b.exr"});
+    std::filesystem::copy(folder_.file("b.exr"), folder_.file("theirs.exr"));
     for (const char* part : {"1/2", "2/2"})
       render({"--part", part, "-o", std::string("parts/") + part[0] + ".exr"});
   }

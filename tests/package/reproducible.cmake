@@ -3,8 +3,9 @@
 # about them where it is installed.
 find_program(git git)
 find_program(shlibdeps dpkg-shlibdeps)
-if(NOT git OR NOT shlibdeps OR NOT EXISTS ${SOURCE}/.git)
-  message("SKIPPED: needs git, dpkg-dev and a clone")
+find_program(file_program file)
+if(NOT git OR NOT shlibdeps OR NOT file_program OR NOT EXISTS ${SOURCE}/.git)
+  message("SKIPPED: needs git, dpkg-dev, file and a clone")
   return()
 endif()
 file(REMOVE_RECURSE ${WORK})
