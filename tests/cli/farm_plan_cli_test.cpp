@@ -21,7 +21,7 @@ TEST_F(FarmPlanCliTest, PlansSamples) {
 
 TEST_F(FarmPlanCliTest, PlansAnErrorAndTellsItToPrograms) {
   const Result result =
-      run({"farm-plan", "scene.xml", "--error", "1%", "--nodes", "2", "--measure", "0.3", "--json",
+      run({"farm-plan", "scene.xml", "--error", "1%", "--nodes", "2", "--measure", "3", "--json",
            "-", "--script", "it.sh", "--aov", "variance", "--crop", "0,4,16,16"});
   ASSERT_EQ(result.code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
