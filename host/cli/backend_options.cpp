@@ -1,5 +1,8 @@
 #include "cli/backend_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "core/error.h"
 
 namespace facet::cli {
@@ -14,6 +17,11 @@ BackendOptions BackendChoice::options() const {
     throw InputError(
         "--device and --validate belong to --backend vulkan: the reference uses the CPU alone");
   return {.reference = precision.value_or(Precision::float_)};
+}
+
+std::string suitability(const gpu::DeviceInfo& device) {
+  return device.lacks.empty() ? "has everything facet needs"
+                              : fmt::format("lacks {}", fmt::join(device.lacks, ", "));
 }
 
 void add_device_option(Command& command, std::string& device) {

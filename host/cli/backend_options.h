@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command_line.h"
+#include "gpu/device.h"
 
 namespace facet::cli {
 
@@ -20,6 +21,9 @@ struct BackendChoice {
   /// Throws InputError for options that belong to the other backend.
   [[nodiscard]] BackendOptions options() const;
 };
+
+/// "has everything facet needs", or "lacks ..." with what it lacks.
+[[nodiscard]] std::string suitability(const gpu::DeviceInfo& device);
 
 /// --device.
 void add_device_option(Command& command, std::string& device);

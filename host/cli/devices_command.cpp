@@ -1,6 +1,7 @@
 // facet devices: which Vulkan devices there are, what each lacks, which one is used and why.
 #include <fmt/format.h>
 
+#include "cli/backend_options.h"
 #include "cli/commands.h"
 #include "core/print.h"
 #include "core/text.h"
@@ -17,8 +18,7 @@ ExitCode list_devices() {
     put("{}: {}\n", d.index, d.name);
     put("   {}, {}, Vulkan {}, {}B of device memory\n", d.kind, d.driver, d.vulkan_version,
         with_unit_prefix(static_cast<double>(d.memory_bytes)));
-    put("   {}\n", d.lacks.empty() ? "has everything facet needs"
-                                   : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+    put("   {}\n", suitability(d));
     const std::string cache = gpu::describe_kernel_cache(d.driver);
     if (!cache.empty()) put("   {}\n", cache);
   }

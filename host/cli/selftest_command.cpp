@@ -64,9 +64,7 @@ std::string system_text() {
 std::string device_text(const gpu::DeviceInfo& d) {
   return fmt::format("{}: {} ({}), {}, Vulkan {}, {}B of device memory, {}", d.index, d.name,
                      d.kind, d.driver, d.vulkan_version,
-                     with_unit_prefix(static_cast<double>(d.memory_bytes)),
-                     d.lacks.empty() ? "has everything facet needs"
-                                     : fmt::format("lacks {}", fmt::join(d.lacks, ", ")));
+                     with_unit_prefix(static_cast<double>(d.memory_bytes)), suitability(d));
 }
 
 class Selftest {
@@ -148,7 +146,7 @@ class Selftest {
     return verdict;
   }
 
-  /// The image's mean against the closed form, in each channel.
+  /// The image's mean against the closed form, in one channel: all are equal.
   Verdict furnace() {
     constexpr double albedo = 0.75;
     constexpr double expected = 1 / (1 - albedo);
@@ -158,7 +156,6 @@ class Selftest {
     double sum = 0;
     double squares = 0;
     double samples = 0;
-    // The channels are equal.
     for (const PixelSums& pixel : film.pixels) {
       sum += pixel.values[1];
       squares += pixel.squares[1];
