@@ -10,8 +10,8 @@
 namespace facet {
 
 /// Whether two triangles lie in one plane, within the distance that a ray's origin is moved off a
-/// surface (docs/reference/sampling.md, "Ray offset") on each of both, and have a common area: not an edge or
-/// a corner alone.
+/// surface (docs/reference/sampling.md, "Ray offset") on each of both, and have a common area: not
+/// an edge or a corner alone.
 [[nodiscard]] bool coincide(const TriangleCorners& a, const TriangleCorners& b);
 
 /// Triangles that can be asked which of them coincide with another.

@@ -1,5 +1,6 @@
 #pragma once
-// How many samples each pixel of an adaptive render gets (docs/reference/sampling.md, "Adaptive sampling").
+// How many samples each pixel of an adaptive render gets (docs/reference/sampling.md, "Adaptive
+// sampling").
 #include <facet/film.h>
 
 #include <utility>

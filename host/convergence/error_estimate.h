@@ -1,6 +1,6 @@
 #pragma once
-// What a film says about the error of its image (docs/reference/sampling.md, "Estimated error"); the estimate
-// itself is of the library's face.
+// What a film says about the error of its image (docs/reference/sampling.md, "Estimated error");
+// the estimate itself is of the library's face.
 #include <vector>
 
 #include "convergence/relative_variance.h"

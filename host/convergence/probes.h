@@ -1,6 +1,6 @@
 #pragma once
-// Second estimates of some pixels, and what they say of the order of samples (docs/reference/sampling.md,
-// "Estimated error").
+// Second estimates of some pixels, and what they say of the order of samples
+// (docs/reference/sampling.md, "Estimated error").
 #include <vector>
 
 #include "image/film.h"

@@ -1,6 +1,6 @@
 #pragma once
-// Which samples are rendered, in which order, and when there are enough (docs/reference/sampling.md, "How
-// many samples").
+// Which samples are rendered, in which order, and when there are enough
+// (docs/reference/sampling.md, "How many samples").
 #include <facet/film.h>
 
 #include <chrono>

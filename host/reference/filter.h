@@ -1,6 +1,6 @@
 #pragma once
-// Where within its filter a sample lies, and with what weight (docs/reference/sampling.md, "Camera and
-// filter").
+// Where within its filter a sample lies, and with what weight (docs/reference/sampling.md, "Camera
+// and filter").
 #include <vector>
 
 #include "reference/real.h"

@@ -14,8 +14,8 @@ struct Surface {
   std::uint32_t mesh = 0;
   std::uint32_t index = 0;  ///< of the triangle within the mesh
 
-  /// Where a ray that leaves in direction d starts (docs/reference/sampling.md, "Ray offset"). which: number
-  /// of the decision.
+  /// Where a ray that leaves in direction d starts (docs/reference/sampling.md, "Ray offset").
+  /// which: number of the decision.
   template <typename Probe>
   [[nodiscard]] Vec3<Real> origin_towards(const Vec3<Real>& d, std::uint64_t which,
                                           Probe& probe) const {

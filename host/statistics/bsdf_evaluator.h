@@ -53,8 +53,8 @@ class BsdfEvaluator {
   /// One sample for each triple of numbers.
   [[nodiscard]] virtual std::vector<BsdfDraw> sample(const vec3& wo,
                                                      std::span<const BsdfNumbers> numbers) = 0;
-  /// `count` samples whose numbers are those of docs/reference/sampling.md for pixel 0, samples 0, 1, ... and
-  /// a seed.
+  /// `count` samples whose numbers are those of docs/reference/sampling.md for pixel 0, samples 0,
+  /// 1, ... and a seed.
   [[nodiscard]] virtual std::vector<BsdfDraw> sample(const vec3& wo, std::uint32_t count,
                                                      std::uint32_t seed) = 0;
 };

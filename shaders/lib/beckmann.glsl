@@ -48,8 +48,8 @@ vec3 beckmann_sample_ndf(float alpha, vec2 u) {
 
 /// Slope along the direction of view whose visible cumulative distribution is u (alpha = 1): the
 /// root x of c erfc(-x) + s/sqrt(pi) exp(-x^2) = u (the same at x = c/s), where (s, c) are sine and
-/// cosine of the polar angle. Halley's iteration within a bracket; docs/reference/sampling.md derives it from
-/// Heitz and d'Eon 2014.
+/// cosine of the polar angle. Halley's iteration within a bracket; docs/reference/sampling.md
+/// derives it from Heitz and d'Eon 2014.
 float beckmann_visible_slope(float s, float c, float u) {
   float upper = min(c / max(s, 1.0e-20), 6.0);
   float lower = -6.0;

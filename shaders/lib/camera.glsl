@@ -6,7 +6,8 @@
 #include "records.glsl"
 
 /// Offset from the pixel's centre along one axis, distributed as |filter|: within one of the
-/// table's intervals of equal mass the density runs linearly (docs/reference/sampling.md, "Filter").
+/// table's intervals of equal mass the density runs linearly (docs/reference/sampling.md,
+/// "Filter").
 float sample_filter(float u) {
   float scaled = u * float(frame.filter_intervals);
   uint i = min(uint(scaled), frame.filter_intervals - 1u);

@@ -40,8 +40,8 @@ vec3 to_world(Frame f, vec3 v) { return f.s * v.x + f.t * v.y + f.n * v.z; }
 
 /// Origin of a ray that leaves the surface point p in direction d, moved along the geometric normal
 /// to d's side by a bound of the rounding errors of p and of a later test against the same plane
-/// (docs/reference/sampling.md, "Ray offset"). magnitude: the largest absolute coordinate of the triangle's
-/// vertices.
+/// (docs/reference/sampling.md, "Ray offset"). magnitude: the largest absolute coordinate of the
+/// triangle's vertices.
 vec3 offset_ray_origin(vec3 p, float magnitude, vec3 ng, vec3 d) {
   float distance = magnitude * 9.53674316e-7;  // 16 * 2^-24
   float side = dot3(d, ng) < 0.0 ? -1.0 : 1.0;

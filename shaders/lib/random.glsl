@@ -1,4 +1,5 @@
-// Random numbers as a function of pixel, sample and dimension (docs/reference/sampling.md, "Numbers").
+// Random numbers as a function of pixel, sample and dimension (docs/reference/sampling.md,
+// "Numbers").
 #ifndef FACET_RANDOM_GLSL
 #define FACET_RANDOM_GLSL
 #include "../shared/dimensions.h"

@@ -85,7 +85,8 @@ vec3 plane_normal(vec3 e, vec3 inverse_e, vec3 f) {
 /// triangle that shares them, and an edge's function changes only its sign between the two
 /// triangles beside it (after S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection",
 /// JCGT 2(1), 2013). Where it lies along the ray is told by the plane, not by the weights, whose
-/// errors grow with the triangle's length over its width (docs/reference/sampling.md, "Intersection").
+/// errors grow with the triangle's length over its width (docs/reference/sampling.md,
+/// "Intersection").
 PairHit intersect_pair(TraversalRay ray, Corners corners, float t_max) {
   vec3 a = corners.c0 - ray.origin;
   vec3 b = corners.c1 - ray.origin;

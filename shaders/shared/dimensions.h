@@ -1,5 +1,5 @@
-// The random dimension of every decision (docs/reference/sampling.md, "Dimensions"). A block of four
-// dimensions is one call of the hash; dimension d is component d % 4 of block d / 4.
+// The random dimension of every decision (docs/reference/sampling.md, "Dimensions"). A block of
+// four dimensions is one call of the hash; dimension d is component d % 4 of block d / 4.
 #ifndef FACET_SHARED_DIMENSIONS_H
 #define FACET_SHARED_DIMENSIONS_H
 #include "types.h"

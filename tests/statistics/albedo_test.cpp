@@ -1,5 +1,6 @@
 // Albedos of the rough BSDFs where they absorb nothing, by angle and roughness, on the kernels: no
-// model makes light. FACET_ALBEDO_PAGE=docs/reference/albedo.md in the environment writes them down.
+// model makes light. FACET_ALBEDO_PAGE=docs/reference/albedo.md in the environment writes them
+// down.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

@@ -1,6 +1,6 @@
 #pragma once
-// What an emitting mesh is sampled by: triangles, and pairs of them (docs/reference/sampling.md, "Emitter
-// sample").
+// What an emitting mesh is sampled by: triangles, and pairs of them (docs/reference/sampling.md,
+// "Emitter sample").
 #include <array>
 #include <cmath>
 

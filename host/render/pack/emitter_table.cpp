@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Turns powers into the weights of the settings' way to choose emitters (docs/reference/sampling.md,
-/// "Emitter sample").
+/// Turns powers into the weights of the settings' way to choose emitters
+/// (docs/reference/sampling.md, "Emitter sample").
 void select_emitters(std::vector<double>& weights, EmitterSelection selection) {
   double total = 0;
   double positive = 0;

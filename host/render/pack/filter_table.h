@@ -1,6 +1,6 @@
 #pragma once
-// The reconstruction filter as a table from which pixel offsets are sampled (docs/reference/sampling.md,
-// "Filter").
+// The reconstruction filter as a table from which pixel offsets are sampled
+// (docs/reference/sampling.md, "Filter").
 #include <vector>
 
 #include "core/maths.h"
