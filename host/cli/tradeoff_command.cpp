@@ -17,8 +17,6 @@ namespace facet::cli {
 
 namespace {
 
-constexpr int default_samples = 64;
-
 struct TradeoffCommandOptions {
   RenderOptions render;
   tradeoff::Options tradeoff;
@@ -77,9 +75,10 @@ class TradeoffJob {
     check_no_input_is_written({o.json, options_.html}, inputs);
     study_ = options_.tradeoff;
     study_.base = make_request(o);
-    if (!study_.base.samples) study_.base.samples = default_samples;
     study_.pictures = !options_.html.empty();
-    warn_about_render(*scene_, resolve(*scene_, study_.base), diagnostics);
+    RenderRequest longest = study_.base;
+    if (!longest.samples) longest.samples = tradeoff::most_samples;
+    warn_about_render(*scene_, resolve(*scene_, longest), diagnostics);
     print_warnings(diagnostics);
   }
 
@@ -114,9 +113,11 @@ void add_tradeoff_command(CommandLine& line) {
       "Measure what the choices of a render cost and buy: error against seconds of each alone, and "
       "of the best together");
   add_setting_options(command, o.render);
-  command.describe("--spp", fmt::format("The most samples a pixel; a quarter and a sixteenth of "
-                                        "them are measured, too. {} unless given",
-                                        default_samples));
+  command.describe("--spp",
+                   fmt::format("The most samples a pixel; a quarter and a sixteenth of them are "
+                               "measured, too. {} unless given, or fewer where the size is given "
+                               "and the budget too small for so many",
+                               tradeoff::most_samples));
   command.describe(
       "--resolution",
       "Size of the images, WxH; otherwise the scene's own, or less where the budget is "

@@ -48,11 +48,9 @@ Laboratory::Laboratory(Backend& kernels, const ScenePtr& scene, const Options& o
   const RenderSettings settings = settings_of(*scene_, base_);
   seed_ = settings.seed;
   own_size_ = size_ = settings.size;
-  const auto most = static_cast<std::uint32_t>(options.base.samples.value_or(64));
-  for (const std::uint32_t n : {most / 16, most / 4, most}) {
-    if (n > 0) ladder_.push_back(n);
-  }
-  ladder_ = ladder(base_);
+  const std::uint32_t most =
+      options.base.samples ? static_cast<std::uint32_t>(*options.base.samples) : most_samples;
+  ladder_ = ladder_to(most);
   if (ladder_.empty())
     throw InputError(fmt::format("{} samples a pixel: adaptive sampling needs at least {}", most,
                                  least_adaptive_samples));
@@ -66,8 +64,21 @@ Laboratory::Laboratory(Backend& kernels, const ScenePtr& scene, const Options& o
   const Film trial = render(base_, ladder_.front(), 0);
   startup_seconds_ = seconds_since(start) - trial.record.seconds;
   rate_ = static_cast<double>(trial.pixels.size()) * ladder_.front() / trial.record.seconds;
-  if (is_free) size_ = affordable_size();
+  if (is_free) {
+    size_ = affordable_size();
+  } else if (!options.base.samples) {
+    while (ladder_.back() / 2 >= least_adaptive_samples && affordable_pixels() < pixels())
+      ladder_ = ladder_to(ladder_.back() / 2);
+  }
   if (options.reference.empty()) find_reference();
+}
+
+std::vector<std::uint32_t> Laboratory::ladder_to(std::uint32_t most) const {
+  std::vector<std::uint32_t> counts;
+  for (const std::uint32_t n : {most / 16, most / 4, most}) {
+    if (n >= (base_.request.adaptive ? least_adaptive_samples : 1)) counts.push_back(n);
+  }
+  return counts;
 }
 
 std::vector<std::uint32_t> Laboratory::ladder(const Plan& plan) const {
@@ -139,13 +150,24 @@ ImageSize Laboratory::affordable_size() {
   const Film film = render(base_, samples_of_trial, 0);
   const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
   rate_ = samples / film.record.seconds;
+  return shrunk(std::max<double>(least_pixels, affordable_pixels()));
+}
+
+double Laboratory::affordable_pixels() const {
   const double left = options_.budget - seconds_since(start_) -
                       startup_seconds_ * static_cast<double>(first_.size());
   const double for_reference =
       reference_until * left * rate_ / (planned_reference * ladder_.back());
   const double for_settings = (alone_until - reference_until) * left * rate_ /
                               (planned_seeds * planned_slowness * samples_of_round());
-  return shrunk(std::max<double>(least_pixels, std::min(for_reference, for_settings)));
+  return options_.reference.empty() ? std::min(for_reference, for_settings) : for_settings;
+}
+
+double Laboratory::pixels() const {
+  Plan sized = base_;
+  sized.request.size = size_;
+  const RenderSettings settings = settings_of(*scene_, sized);
+  return static_cast<double>(settings.crop_width()) * settings.crop_height();
 }
 
 double Laboratory::samples_of_round() const {
@@ -158,7 +180,7 @@ double Laboratory::samples_of_round() const {
 }
 
 double Laboratory::expected_seconds(std::uint32_t rounds) const {
-  const double samples = static_cast<double>(size_.width) * size_.height * samples_of_round();
+  const double samples = pixels() * samples_of_round();
   return startup_seconds_ * static_cast<double>(first_.size()) +
          rounds * planned_slowness * samples / rate_;
 }
@@ -178,12 +200,18 @@ void Laboratory::find_reference() {
   // None of the seeds that are measured with.
   request.seed = seed_ ^ 0x9e3779b9U;
   request.estimate_error = true;
-  using std::chrono::steady_clock;
-  request.deadline =
-      steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(
-                                std::chrono::duration<double>(seconds_until(reference_until)));
-  Film film = render(plan, request);
   const std::uint32_t enough = least_reference * ladder_.back();
+  // What settings need goes before digits of the reference.
+  const double seconds = std::min(seconds_until(reference_until),
+                                  seconds_until(climbing_until) - expected_seconds(planned_seeds));
+  if (pixels() * enough / rate_ < seconds) {
+    using std::chrono::steady_clock;
+    request.deadline = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(
+                                                 std::chrono::duration<double>(seconds));
+  } else {
+    request.samples = static_cast<int>(enough);
+  }
+  Film film = render(plan, request);
   if (film.record.samples.count() < enough) {
     request.deadline.reset();
     request.samples = static_cast<int>(enough);

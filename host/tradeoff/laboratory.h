@@ -53,6 +53,12 @@ class Laboratory {
   [[nodiscard]] Backend& backend_of(const Plan& plan);
   [[nodiscard]] ImageSize shrunk(double pixels) const;
   [[nodiscard]] ImageSize affordable_size();
+  /// Of an image that the budget suffices for, with the numbers of samples of ladder(). At most 0
+  /// where it does not even suffice for compiling.
+  [[nodiscard]] double affordable_pixels() const;
+  [[nodiscard]] double pixels() const;
+  /// A sixteenth, a quarter and all of so many, where that is enough for the base.
+  [[nodiscard]] std::vector<std::uint32_t> ladder_to(std::uint32_t most) const;
   /// Of all of first(), a pixel.
   [[nodiscard]] double samples_of_round() const;
   void take_reference();

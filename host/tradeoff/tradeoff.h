@@ -12,8 +12,12 @@
 
 namespace facet::tradeoff {
 
+/// The largest number of samples a pixel that is measured where none is given; fewer where the
+/// images' size is given and the budget does not suffice for so many of them.
+inline constexpr std::uint32_t most_samples = 64;
+
 struct Options {
-  RenderRequest base;       ///< what every render has; `samples`: the most of any, or 64
+  RenderRequest base;       ///< what every render has; `samples`: the most of any, if given
   double budget = 120;      ///< seconds for all, about
   std::string reference;    ///< a file to measure errors against; empty: one is made
   bool exhaustive = false;  ///< all combinations of choices, not only those on the way to the best
