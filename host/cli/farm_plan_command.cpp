@@ -19,6 +19,7 @@
 #include "door/warnings.h"
 #include "image/division.h"
 #include "image/record.h"
+#include "image/rerun.h"
 #include "tradeoff/farm_plan.h"
 
 namespace facet::cli {

@@ -14,6 +14,7 @@
 #include "core/words.h"
 #include "door/warnings.h"
 #include "image/record.h"
+#include "image/rerun.h"
 #include "parity/parity.h"
 #include "render/kernel_backend.h"
 

@@ -104,6 +104,8 @@ class Comparing {
     const ErrorMetrics& e = c_.errors;
     add("all pixels are finite", e.nonfinite == 0,
         fmt::format("pixels that are not finite: {}, which no threshold lets pass", e.nonfinite));
+    at_most("--max-mean", "the distance of the mean ratio from 1", std::abs(e.mean_ratio() - 1),
+            o_.max_mean);
     at_most("--max-abs", "max abs", e.max_abs, o_.max_abs);
     at_most("--max-rmse", "RMSE", e.rmse, o_.max_rmse);
     at_most("--max-relmse", o_.trim ? "trimmed relMSE" : "relMSE",

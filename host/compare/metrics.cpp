@@ -43,7 +43,7 @@ double mean_luminance(const Planes& planes, std::size_t pixels) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     if (!is_finite(planes, i)) continue;
-    sum += 0.2126 * planes[0][i] + 0.7152 * planes[1][i] + 0.0722 * planes[2][i];
+    sum += luminance(glm::dvec3(planes[0][i], planes[1][i], planes[2][i]));
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : 0;
@@ -90,6 +90,8 @@ class Measurement {
     for (std::size_t c = 0; c < 3; ++c) {
       const double r = r_[c][i];
       const double difference = std::abs(a_[c][i] - r);
+      m_.mean_image[static_cast<int>(c)] += a_[c][i];
+      m_.mean_reference[static_cast<int>(c)] += r;
       if (difference > m_.max_abs) {
         m_.max_abs = difference;
         m_.max_abs_x = static_cast<int>(i % static_cast<std::size_t>(width_));
@@ -109,6 +111,8 @@ class Measurement {
     std::copy_if(m_.terms.begin(), m_.terms.end(), std::back_inserter(sorted),
                  [](double t) { return !std::isnan(t); });
     const auto count = static_cast<double>(sorted.size());
+    m_.mean_image /= count;
+    m_.mean_reference /= count;
     if (sorted.empty()) {
       m_.max_abs = m_.rmse = m_.relmse = m_.relmse_trimmed = nan;
       return;

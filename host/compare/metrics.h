@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/maths.h"
+
 namespace facet {
 
 /// The planes R, G and B of an image. Throws InputError where one is missing.
@@ -25,8 +27,10 @@ struct ErrorMetrics {
   std::size_t nonfinite_reference = 0;
   std::size_t nonfinite = 0;  ///< in either
   double mean_luminance = 0;  ///< of r's finite pixels
-  double max_abs = 0;         ///< largest |a - r| of a channel
-  int max_abs_x = 0;          ///< its pixel, from the image's corner
+  glm::dvec3 mean_image{0};   ///< of R, G and B over the pixels finite in both
+  glm::dvec3 mean_reference{0};
+  double max_abs = 0;  ///< largest |a - r| of a channel
+  int max_abs_x = 0;   ///< its pixel, from the image's corner
   int max_abs_y = 0;
   double rmse = 0;            ///< sqrt of the mean over pixels and channels of (a - r)^2
   double relmse = 0;          ///< mean over pixels and channels of (a - r)^2 / (r^2 + epsilon)
@@ -42,6 +46,13 @@ struct ErrorMetrics {
   /// (0.01 * mean luminance of r)^2. In a black reference it is 0: an equal pixel's term is 0 then,
   /// another's infinite.
   [[nodiscard]] double epsilon() const { return 1e-4 * mean_luminance * mean_luminance; }
+  /// Mean luminance of a over that of r, of the pixels finite in both; 1 where they are equal, black
+  /// too. NaN where there are no such pixels.
+  [[nodiscard]] double mean_ratio() const {
+    const double a = luminance(mean_image);
+    const double r = luminance(mean_reference);
+    return a == r ? 1 : a / r;
+  }
   [[nodiscard]] double share(std::size_t count) const {
     return static_cast<double>(count) / static_cast<double>(pixels);
   }

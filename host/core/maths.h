@@ -21,7 +21,10 @@ inline constexpr std::uint32_t none = 0xffffffffU;
 using Color = glm::vec3;
 
 /// Relative luminance of a linear Rec. 709 colour.
-inline float luminance(const Color& c) { return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; }
+template <typename T>
+T luminance(const glm::vec<3, T>& c) {
+  return T(0.2126) * c.r + T(0.7152) * c.g + T(0.0722) * c.b;
+}
 
 /// Axis-aligned box; empty until something is added.
 struct Box {

@@ -35,6 +35,7 @@ ComparisonSummary compare(const Image& image, const Image& reference) {
   check_comparable(image, "the image", reference, "the reference");
   const ErrorMetrics errors = measure_errors(image, reference, 0);
   ComparisonSummary summary;
+  summary.mean_ratio = errors.mean_ratio();
   summary.max_abs = errors.max_abs;
   summary.rmse = errors.rmse;
   summary.relmse = errors.relmse;

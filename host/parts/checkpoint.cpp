@@ -13,6 +13,7 @@
 #include "image/film.h"
 #include "image/film_words.h"
 #include "image/record.h"
+#include "image/rerun.h"
 #include "parts/checksum.h"
 #include "parts/part.h"
 

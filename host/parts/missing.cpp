@@ -7,6 +7,7 @@
 #include <map>
 
 #include "image/record.h"
+#include "image/rerun.h"
 
 namespace facet {
 

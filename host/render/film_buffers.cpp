@@ -26,6 +26,7 @@ FilmBuffers::FilmBuffers(gpu::Device& device, std::uint32_t pixel_count, bool wi
     : pixel_count_(pixel_count), with_squares_(with_squares) {
   constexpr std::uint64_t record = sizeof(shared::FilmRecord);
   const std::uint64_t record_set = with_squares ? 2 * record : record;
+  const std::uint64_t fitting = device.free_bytes() / record_set;
   if (pixel_count * record_set > device.free_bytes())
     throw InputError(fmt::format(
         "the film of {} pixels needs {}B of device memory, but of the {}B of {} {}B are free: "
@@ -33,7 +34,7 @@ FilmBuffers::FilmBuffers(gpu::Device& device, std::uint32_t pixel_count, bool wi
         pixel_count, with_unit_prefix(static_cast<double>(pixel_count * record_set)),
         with_unit_prefix(static_cast<double>(device.info().memory_bytes)), device.info().name,
         with_unit_prefix(static_cast<double>(device.free_bytes())),
-        with_unit_prefix(static_cast<double>(device.free_bytes() / record_set))));
+        with_unit_prefix(static_cast<double>(fitting))));
   const gpu::Device::Limits& limits = device.limits();
   const auto largest = static_cast<std::uint32_t>(
       std::min(limits.storage_buffer_bytes / record,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "image/rerun.h"
+
 namespace facet::report {
 
 namespace {
@@ -14,6 +16,13 @@ std::string share_text(const ErrorMetrics& e, std::size_t count) {
   return fmt::format("{:.4g} % ({} of {} pixels)", 100 * e.share(count), count, e.pixels);
 }
 
+std::string means_text(const ErrorMetrics& e) {
+  const glm::dvec3 ratio = e.mean_image / e.mean_reference;
+  return fmt::format("mean luminance {:.4g} of {:.4g}; R {:.4g}, G {:.4g}, B {:.4g}",
+                     luminance(e.mean_image), luminance(e.mean_reference), ratio.r, ratio.g,
+                     ratio.b);
+}
+
 constexpr std::size_t worst_count = 12;
 
 /// R, G and B of a pixel.
@@ -21,6 +30,8 @@ nlohmann::json color_json(const Image& image, std::size_t pixel) {
   const auto planes = rgb_planes(image);
   return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
 }
+
+nlohmann::json rgb_json(const glm::dvec3& color) { return {color.r, color.g, color.b}; }
 
 /// The command that renders a pixel of an image again, place i of it; empty where there is none. Of
 /// an adaptive image, the pixel's own number of samples is needed.
@@ -61,6 +72,7 @@ std::vector<MetricRow> metric_rows(const CompareOptions& options, const Comparis
   const ErrorMetrics& e = c.errors;
   const ImageWindow& w = c.image.window;
   std::vector<MetricRow> rows{
+      {"mean ratio", fmt::format("{:.6g}", e.mean_ratio()), means_text(e)},
       {"max abs", fmt::format("{:.6g}", e.max_abs),
        fmt::format("largest difference of a channel, at pixel ({}, {})", e.max_abs_x + w.x,
                    e.max_abs_y + w.y)},
@@ -105,6 +117,8 @@ nlohmann::ordered_json comparison_json(const CompareOptions& options, const Comp
         {"reference", e.nonfinite_reference},
         {"either", e.nonfinite}}},
       {"mean_luminance", e.mean_luminance},
+      {"mean", {{"image", rgb_json(e.mean_image)}, {"reference", rgb_json(e.mean_reference)}}},
+      {"mean_ratio", e.mean_ratio()},
       {"max_abs", e.max_abs},
       {"max_abs_pixel", {e.max_abs_x + w.x, e.max_abs_y + w.y}},
       {"rmse", e.rmse},

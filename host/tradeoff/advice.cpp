@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "image/record.h"
+#include "image/rerun.h"
 
 namespace facet::tradeoff {
 

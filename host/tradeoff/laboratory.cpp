@@ -40,9 +40,9 @@ std::vector<Candidate> candidates_from(const Scene& scene, const Plan& base, boo
 
 }  // namespace
 
-Laboratory::Laboratory(Backend& kernels, const ScenePtr& scene, const Options& options,
+Laboratory::Laboratory(Backend& kernels, ScenePtr scene, const Options& options,
                        const Callback& callback)
-    : kernels_(kernels), scene_(scene), options_(options), callback_(callback) {
+    : kernels_(kernels), scene_(std::move(scene)), options_(options), callback_(callback) {
   base_.request = options.base;
   base_.request.samples.reset();
   const RenderSettings settings = settings_of(*scene_, base_);

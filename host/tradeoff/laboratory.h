@@ -18,8 +18,7 @@ inline constexpr double climbing_until = 0.92;
 class Laboratory {
  public:
   /// Chooses the images' size, and finds or makes the reference.
-  Laboratory(Backend& kernels, const ScenePtr& scene, const Options& options,
-             const Callback& callback);
+  Laboratory(Backend& kernels, ScenePtr scene, const Options& options, const Callback& callback);
 
   /// What every setting starts from.
   [[nodiscard]] const Plan& base() const { return base_; }

@@ -3,6 +3,7 @@
 
 #include "convergence/sampling_plan.h"
 #include "image/record.h"
+#include "image/rerun.h"
 #include "scene/scene.h"
 #include "tradeoff/choices.h"
 

@@ -29,6 +29,7 @@ double log_variance(const std::vector<double>& estimates) {
   const bool has_logarithms = std::ranges::all_of(estimates, [](double v) { return v > 0; });
   if (estimates.size() < 2 || !has_logarithms) return INFINITY;
   std::vector<double> logarithms;
+  logarithms.reserve(estimates.size());
   for (const double v : estimates) logarithms.push_back(std::log(v));
   const double mean = mean_of(logarithms);
   const auto n = static_cast<double>(logarithms.size());

@@ -26,8 +26,10 @@ struct Trial {
 
 class Study {
  public:
-  Study(Backend& kernels, const ScenePtr& scene, const Options& options, const Callback& callback)
-      : scene_(scene), options_(options), laboratory_(kernels, scene, options, callback) {
+  Study(Backend& kernels, ScenePtr scene, const Options& options, const Callback& callback)
+      : scene_(std::move(scene)),
+        options_(options),
+        laboratory_(kernels, scene_, options, callback) {
     result_.device = kernels.name();
     result_.driver = kernels.driver();
   }
@@ -204,6 +206,7 @@ class Study {
       if (known == nullptr || ratio > known->setting.last().expected_ratio) known = &trial;
     }
     std::vector<Candidate> candidates;
+    candidates.reserve(best.size());
     for (const auto& [kind, trial] : best) candidates.push_back(trial->candidate);
     return candidates;
   }

@@ -52,9 +52,9 @@ TEST_F(CompareCliTest, HelpNamesEveryOption) {
   const Result result = run({"compare", "--help"});
   EXPECT_EQ(result.code, 0);
   expect_words(result.out,
-               {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
-                "--min-identical", "--max-beyond", "--z-test", "--tolerance", "--significance",
-                "--ppd", "--trim", "--json", "--html"});
+               {"--max-mean", "--max-abs", "--max-rmse", "--max-relmse", "--max-flip",
+                "--max-hdrflip", "--min-identical", "--max-beyond", "--z-test", "--tolerance",
+                "--significance", "--ppd", "--trim", "--json", "--html"});
 }
 
 TEST_F(CompareCliTest, PrintsATable) {
@@ -63,9 +63,10 @@ TEST_F(CompareCliTest, PrintsATable) {
   const Result result = run({"compare", "a.exr", "b.exr"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
-  expect_words(result.out, {"a.exr against the reference b.exr, 4x3 pixels", "max abs",
-                            "at pixel (0, 0)", "RMSE", "relMSE, trimmed", "FLIP", "HDR-FLIP",
-                            "bit-identical", "91.67 % (11 of 12 pixels)", "beyond tolerance"});
+  expect_words(result.out,
+               {"a.exr against the reference b.exr, 4x3 pixels", "mean ratio", "max abs",
+                "at pixel (0, 0)", "RMSE", "relMSE, trimmed", "FLIP", "HDR-FLIP", "bit-identical",
+                "91.67 % (11 of 12 pixels)", "beyond tolerance"});
   EXPECT_EQ(result.out.find("z-test"), std::string::npos);
   EXPECT_EQ(folder_.names(), (Names{"a.exr", "b.exr", "floor.obj", "light.obj", "scene.xml"}));
 }
@@ -82,6 +83,8 @@ TEST_F(CompareCliTest, ReportsAsJson) {
   EXPECT_EQ(json["width"], 4);
   EXPECT_EQ(json["height"], 3);
   EXPECT_EQ(json["max_abs"], 0.5);
+  // One pixel of twelve is 1 instead of 0.5.
+  EXPECT_NEAR(json["mean_ratio"].get<double>(), 13.0 / 12, 1e-12);
   EXPECT_EQ(json["max_abs_pixel"], (std::vector<int>{10, 20}));
   EXPECT_NEAR(json["rmse"].get<double>(), std::sqrt(0.25 / 12), 1e-12);
   EXPECT_NEAR(json["relmse"].get<double>(), 0.25 / (0.25 + 0.25e-4) / 12, 1e-12);
@@ -102,9 +105,11 @@ TEST_F(CompareCliTest, ReportsAsJson) {
 
 TEST_F(CompareCliTest, EqualImagesPassTheStrictestThresholds) {
   write("a.exr", image(2));
-  const Result result = run({"compare", "a.exr", "a.exr", "--max-abs", "0", "--max-rmse", "0",
-                             "--max-relmse", "0", "--max-flip", "0", "--max-hdrflip", "0",
-                             "--min-identical", "1", "--tolerance", "0", "--max-beyond", "0"});
+  const Result result =
+      run({"compare", "a.exr",           "a.exr", "--max-abs",   "0", "--max-rmse",
+           "0",       "--max-relmse",    "0",     "--max-flip",  "0", "--max-hdrflip",
+           "0",       "--min-identical", "1",     "--tolerance", "0", "--max-beyond",
+           "0",       "--max-mean",      "0"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
 }
@@ -119,10 +124,11 @@ TEST_F(CompareCliTest, EachThresholdCanFail) {
   expect_violation({"--max-hdrflip", "1e-9"}, {"HDR-FLIP is ", "--max-hdrflip 1e-09"});
   expect_violation({"--min-identical", "0.95"},
                    {"bit-identical share is 0.916667", "--min-identical 0.95"});
+  expect_violation({"--max-mean", "0.08"}, {"the mean ratio", "0.0833333", "--max-mean 0.08"});
   expect_violation({"--max-beyond", "0.05"}, {"0.0833333", "--max-beyond 0.05"});
   EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--max-abs", "0.5", "--max-rmse", "0.2",
                  "--max-relmse", "0.1", "--max-flip", "1", "--max-hdrflip", "1", "--min-identical",
-                 "0.9", "--max-beyond", "0.1"})
+                 "0.9", "--max-beyond", "0.1", "--max-mean", "0.084"})
                 .code,
             0);
   EXPECT_EQ(
@@ -141,8 +147,9 @@ TEST_F(CompareCliTest, NothingPassesThatIsNotFinite) {
   for (const float bad : {NAN, INFINITY}) {
     write("a.exr", image(bad));
     write("b.exr", image(bad));
-    for (const Names& threshold : {Names{"--max-rmse", "100"}, Names{"--min-identical", "0"},
-                                   Names{"--max-beyond", "1"}, Names{"--max-flip", "1"}}) {
+    for (const Names& threshold :
+         {Names{"--max-rmse", "100"}, Names{"--min-identical", "0"}, Names{"--max-beyond", "1"},
+          Names{"--max-flip", "1"}, Names{"--max-mean", "1"}}) {
       Names arguments{"compare", "a.exr", "b.exr"};
       arguments.insert(arguments.end(), threshold.begin(), threshold.end());
       const Result result = run(arguments);
@@ -214,8 +221,8 @@ TEST_F(CompareCliTest, BadInput) {
 TEST_F(CompareCliTest, BadOptions) {
   write("a.exr", image(1));
   for (const char* option :
-       {"--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip", "--min-identical",
-        "--max-beyond", "--tolerance", "--significance", "--ppd"}) {
+       {"--max-mean", "--max-abs", "--max-rmse", "--max-relmse", "--max-flip", "--max-hdrflip",
+        "--min-identical", "--max-beyond", "--tolerance", "--significance", "--ppd"}) {
     for (const char* value : {"-1", "nan", "inf", "x", ""})
       expect_failure({"compare", "a.exr", "a.exr", std::string(option) + "=" + value}, 2, {option});
   }

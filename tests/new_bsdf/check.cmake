@@ -2,10 +2,9 @@
 # Does what docs/guide/adding-a-bsdf.md says, in a copy of the tree, and asks for it in the
 # program and in the tests.
 file(REMOVE_RECURSE ${WORK})
-file(MAKE_DIRECTORY ${WORK}/tree)
-foreach(part CMakeLists.txt CMakePresets.json cmake docs examples host include scenes shaders tests)
-  file(COPY ${SOURCE}/${part} DESTINATION ${WORK}/tree)
-endforeach()
+file(GLOB parts ${SOURCE}/*)
+list(FILTER parts EXCLUDE REGEX "/(\\.[^/]*|build|out)$")
+file(COPY ${parts} DESTINATION ${WORK}/tree)
 
 # The block of code that follows the first mention of a file.
 file(READ ${SOURCE}/docs/guide/adding-a-bsdf.md page)

@@ -66,6 +66,22 @@ TEST(MetricsTest, ErrorsAreRelativeToTheReference) {
   EXPECT_DOUBLE_EQ(measure_errors(b, a, 0).relmse, 1 / (1 + 1e-4));
 }
 
+TEST(MetricsTest, MeansTellABrighterImageOfPixelsFiniteInBoth) {
+  Image a = gray(3, 1, {3, 6, 1000});
+  const Image r = gray(3, 1, {2, 4, NAN});
+  for (int x = 0; x < 2; ++x) a.at(x, 0, 2) *= 2;
+  const ErrorMetrics m = measure_errors(a, r, 0);
+  EXPECT_EQ(m.mean_image, glm::dvec3(4.5, 4.5, 9));
+  EXPECT_EQ(m.mean_reference, glm::dvec3(3));
+  EXPECT_NEAR(m.mean_ratio(), 1.5 + 0.0722 * 1.5, 1e-12);
+  const Image black = constant(3, 1, 0);
+  EXPECT_EQ(measure_errors(black, black, 0).mean_ratio(), 1);
+  EXPECT_EQ(measure_errors(black, r, 0).mean_ratio(), 0);
+  EXPECT_FALSE(std::isfinite(measure_errors(r, black, 0).mean_ratio()));
+  const Image none = constant(3, 1, NAN);
+  EXPECT_TRUE(std::isnan(measure_errors(none, none, 0).mean_ratio()));
+}
+
 TEST(MetricsTest, LuminanceWeighsChannels) {
   Image r(1, 1, {"B", "G", "R"});
   r.at(0, 0, 2) = 1;

@@ -8,6 +8,8 @@
 #include <memory>
 #include <set>
 
+#include "image/rerun.h"
+
 namespace facet::test {
 namespace {
 

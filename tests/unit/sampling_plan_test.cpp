@@ -4,105 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <map>
-#include <random>
 
-#include "image/film.h"
+#include "support/fake_samples.h"
 
 namespace facet::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr int side = 48;
-
-/// Pixels of expectation 1 whose samples are uniform within a width, and take a time.
-class Fake : public SampleSource {
- public:
-  explicit Fake(std::uint32_t seed = 1, double width = 1)
-      : width_(width), random_(seed), films_{blank(), blank()} {}
-
-  /// Of so many samples in a row, only the last is drawn; those before make up for each other. The
-  /// mean is as good as that of so many times more samples.
-  std::uint32_t order = 1;
-  double spread = 1;                 ///< one pixel in sixteen is so many times as noisy
-  Clock::duration per_sample = 0ns;  ///< of one pixel
-  double jitter = 0;                 ///< part of that by which it varies
-  int calls_left = 1 << 30;          ///< until it is interrupted
-  std::uint32_t pixels_at_a_time = 1U << 30U;
-  std::map<std::pair<Sums, std::uint32_t>, std::vector<SampleRange>> given;  ///< to each pixel
-  std::vector<std::uint32_t> seeds;
-  double expected = 0;
-
-  bool add(const SamplingTask& task, std::uint32_t& next) override {
-    seeds.push_back(task.seed);
-    PixelList all = task.pixels;
-    if (all.empty()) {
-      for (std::uint32_t p = 0; p < side * side; ++p) all.push_back(p);
-    }
-    EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
-    const SampleRange& samples = task.samples;
-    while (next < all.size()) {
-      const auto end = static_cast<std::uint32_t>(
-          std::min<std::uint64_t>(all.size(), std::uint64_t{next} + pixels_at_a_time));
-      for (; next < end; ++next) {
-        const std::uint32_t p = all[next];
-        given[{task.sums, p}].push_back(samples);
-        add_pixel(films_.at(static_cast<std::size_t>(task.sums)).pixels[p],
-                  samples.end - samples.begin, p % 16 == 0 ? spread * width_ : width_);
-      }
-      if (--calls_left <= 0) return false;
-    }
-    std::uniform_real_distribution<double> uneven(1 - jitter, 1 + jitter);
-    const double count =
-        static_cast<double>(all.size()) * static_cast<double>(samples.end - samples.begin);
-    now_ += std::chrono::duration_cast<Clock::duration>(per_sample * count * uneven(random_));
-    return true;
-  }
-  [[nodiscard]] Film sums(Sums of) const override {
-    return films_.at(static_cast<std::size_t>(of));
-  }
-  void clear(Sums which) override {
-    films_.at(static_cast<std::size_t>(which)) = blank();
-    for (std::uint32_t p = 0; p < side * side; ++p) given.erase({which, p});
-  }
-  void expect(double samples) override { expected = samples; }
-  [[nodiscard]] Clock::time_point now() const override { return now_; }
-
-  /// Of the image.
-  [[nodiscard]] double true_relmse() const {
-    double sum = 0;
-    for (const PixelSums& p : films_[0].pixels) {
-      for (const double m : p.mean()) sum += (m - 1) * (m - 1);
-    }
-    return sum / (3 * side * side) / 1.0001;
-  }
-
- private:
-  static Film blank() { return make_film(side, side, {0, 0, side, side}, true); }
-
-  void add_pixel(PixelSums& sums, std::uint32_t count, double width) {
-    std::uniform_real_distribution<double> uniform(-width, width);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t place = sums.samples % order;
-      double value = 1;
-      if (place == order - 1) {
-        value += uniform(random_);
-      } else if (place + 1 < order / 2 * 2 - 1) {
-        value += (place % 2 == 0 ? width : -width) / std::sqrt(3.0);
-      }
-      sums.add({value, value, value});
-    }
-  }
-
-  double width_;
-  std::mt19937 random_;
-  std::array<Film, 2> films_;
-  Clock::time_point now_{};
-};
 
 SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source) {
   return SamplingPlan(goal).run(source);
@@ -121,7 +30,7 @@ void expect_samples(const std::vector<SampleRange>& given, std::uint32_t begin, 
 }
 
 TEST(SamplingPlan, renders_every_sample_once_in_rounds_that_double) {
-  Fake source;
+  FakeSamples source;
   SamplingGoal goal = goal_of(0);
   goal.samples = {5, 105};
   const SamplingOutcome outcome = render_samples(goal, source);
@@ -137,13 +46,13 @@ TEST(SamplingPlan, renders_every_sample_once_in_rounds_that_double) {
 }
 
 TEST(SamplingPlan, an_interrupt_ends_it) {
-  Fake source;
+  FakeSamples source;
   source.calls_left = 3;
   const SamplingOutcome outcome = render_samples(goal_of(100), source);
   EXPECT_EQ(outcome.stopped_by, StoppedBy::interrupt);
   EXPECT_EQ(outcome.samples.end, 100U);
   expect_samples(source.given[{SampleSource::Sums::image, 0}], 0, 4);
-  Fake open;
+  FakeSamples open;
   open.calls_left = 3;
   SamplingGoal goal = goal_of(1U << 30U);
   goal.error = 1e-9;
@@ -161,7 +70,7 @@ void expect_promise(double error, std::uint32_t order, bool probes) {
   std::vector<std::uint32_t> counts;
   constexpr double width = 2;
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
-    Fake source(seed, width);
+    FakeSamples source(seed, width);
     source.order = order;
     SamplingGoal goal = goal_of(1U << 20U);
     goal.seed = seed;
@@ -186,7 +95,7 @@ TEST(SamplingPlan, keeps_an_error_of_independent_samples) { expect_promise(0.1, 
 TEST(SamplingPlan, keeps_an_error_of_samples_in_an_order) { expect_promise(0.04, 8, true); }
 
 TEST(SamplingPlan, an_error_stops_at_the_samples_that_there_may_be) {
-  Fake source;
+  FakeSamples source;
   SamplingGoal goal = goal_of(50);
   goal.error = 1e-4;
   const SamplingOutcome outcome = render_samples(goal, source);
@@ -195,7 +104,7 @@ TEST(SamplingPlan, an_error_stops_at_the_samples_that_there_may_be) {
 }
 
 TEST(SamplingPlan, an_image_without_noise_is_soon_good_enough) {
-  Fake source(1, 0);
+  FakeSamples source(1, 0);
   SamplingGoal goal = goal_of(1U << 30U);
   goal.error = 1e-6;
   const SamplingOutcome outcome = render_samples(goal, source);
@@ -205,7 +114,7 @@ TEST(SamplingPlan, an_image_without_noise_is_soon_good_enough) {
 
 TEST(SamplingPlan, ends_before_its_time_and_makes_use_of_it) {
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {
-    Fake source(seed);
+    FakeSamples source(seed);
     source.per_sample = std::chrono::nanoseconds(200 + 700 * (seed % 7));
     source.jitter = 0.1;
     SamplingGoal goal = goal_of(1U << 30U);
@@ -221,7 +130,7 @@ TEST(SamplingPlan, ends_before_its_time_and_makes_use_of_it) {
 
 TEST(SamplingPlan, renders_one_sample_though_there_is_no_time) {
   for (const bool adaptive : {false, true}) {
-    Fake source;
+    FakeSamples source;
     source.per_sample = 1us;
     SamplingGoal goal = goal_of(1U << 30U);
     goal.deadline = source.now() - 1s;
@@ -238,21 +147,21 @@ TEST(SamplingPlan, renders_one_sample_though_there_is_no_time) {
 TEST(SamplingPlan, whichever_goal_is_met_first_ends_it) {
   SamplingGoal goal = goal_of(64);
   goal.error = 0.001;
-  Fake slow;
+  FakeSamples slow;
   slow.per_sample = 1us;
   goal.deadline = slow.now() + 50ms;
   EXPECT_EQ(render_samples(goal, slow).stopped_by, StoppedBy::time);
-  Fake fast;
+  FakeSamples fast;
   goal.deadline = fast.now() + 50ms;
   EXPECT_EQ(render_samples(goal, fast).stopped_by, StoppedBy::samples);
   goal.error = 0.5;
-  Fake good;
+  FakeSamples good;
   goal.deadline = good.now() + 50ms;
   EXPECT_EQ(render_samples(goal, good).stopped_by, StoppedBy::error);
 }
 
 TEST(SamplingPlan, an_adaptive_render_grows_pixel_by_pixel) {
-  Fake source(1, 2);
+  FakeSamples source(1, 2);
   source.spread = 20;
   SamplingGoal goal = goal_of(1U << 20U);
   goal.adaptive = true;
@@ -279,7 +188,7 @@ TEST(SamplingPlan, an_adaptive_render_grows_pixel_by_pixel) {
 
 TEST(SamplingPlan, probes_get_the_samples_of_their_pixels_with_other_numbers) {
   for (const bool adaptive : {false, true}) {
-    Fake source(1, 2);
+    FakeSamples source(1, 2);
     SamplingGoal goal = goal_of(100);
     goal.probes = true;
     goal.adaptive = adaptive;
@@ -295,7 +204,7 @@ TEST(SamplingPlan, probes_get_the_samples_of_their_pixels_with_other_numbers) {
 }
 
 TEST(SamplingPlan, an_interrupt_during_the_pilot_leaves_its_film) {
-  Fake source;
+  FakeSamples source;
   source.calls_left = 1;
   SamplingGoal goal = goal_of(64);
   goal.adaptive = true;
