@@ -204,6 +204,10 @@ std::string bash_completion(const ProgramManual& program) {
 _facet() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=""
   COMPREPLY=()
+  # --option=word is three words to bash.
+  if [ "$current" = "=" ]; then current=""
+  elif [ "$previous" = "=" ]; then previous=${{COMP_WORDS[COMP_CWORD-2]}}
+  fi
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="{} --help --version"
   else

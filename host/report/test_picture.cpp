@@ -40,7 +40,9 @@ void write_histogram_picture(const std::filesystem::path& path,
     most = std::max({most, h.observed[i], h.expected[i]});
   for (int y = 0; y < panel; ++y) {
     for (int x = 0; x < width; ++x) {
-      const auto bin = static_cast<std::size_t>((h.rows - 1 - y / side) * h.columns + x / side);
+      const int row = h.rows - 1 - y / side;
+      const int place = row * h.columns + x / side;
+      const auto bin = static_cast<std::size_t>(place);
       const Color colours[3] = {brightness(h.observed[bin], most),
                                 brightness(h.expected[bin], most),
                                 deviation(h.observed[bin], h.expected[bin])};

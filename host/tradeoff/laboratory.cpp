@@ -58,18 +58,19 @@ Laboratory::Laboratory(Backend& kernels, ScenePtr scene, const Options& options,
   if (!options.reference.empty()) take_reference();
   tell("trying");
   const bool is_free = !options.base.size && !options.base.crop && options.reference.empty();
-  if (is_free) size_ = shrunk(least_pixels);
+  const ImageSize wanted = size_;
+  // A crop is told in pixels of the wanted size.
+  if (!options.base.crop) size_ = shrunk(least_pixels);
   // Later ones need not compile any more.
   const auto start = std::chrono::steady_clock::now();
   const Film trial = render(base_, ladder_.front(), 0);
   startup_seconds_ = seconds_since(start) - trial.record.seconds;
-  rate_ = static_cast<double>(trial.pixels.size()) * ladder_.front() / trial.record.seconds;
-  if (is_free) {
-    size_ = affordable_size();
-  } else if (!options.base.samples) {
-    while (ladder_.back() / 2 >= least_adaptive_samples && affordable_pixels() < pixels())
-      ladder_ = ladder_to(ladder_.back() / 2);
-  }
+  measure_rate();
+  size_ = is_free ? shrunk(std::max<double>(least_pixels, affordable_pixels())) : wanted;
+  const bool fewer_will_do = !is_free && !options.base.samples;
+  while (fewer_will_do && ladder_.back() / 2 >= least_adaptive_samples &&
+         affordable_pixels() < pixels())
+    ladder_ = ladder_to(ladder_.back() / 2);
   if (options.reference.empty()) find_reference();
 }
 
@@ -141,16 +142,15 @@ void Laboratory::take_reference() {
   check_comparable(rendered, "the render", reference_.image, options_.reference);
 }
 
-ImageSize Laboratory::affordable_size() {
+void Laboratory::measure_rate() {
   constexpr double pixels_of_trial = 1 << 14;
   constexpr std::uint32_t samples_of_trial = least_adaptive_samples;
-  size_ = shrunk(pixels_of_trial);
+  if (!options_.base.crop) size_ = shrunk(pixels_of_trial);
   // The first one warms up.
   (void)render(base_, samples_of_trial, 0);
   const Film film = render(base_, samples_of_trial, 0);
   const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
   rate_ = samples / film.record.seconds;
-  return shrunk(std::max<double>(least_pixels, affordable_pixels()));
 }
 
 double Laboratory::affordable_pixels() const {

@@ -51,7 +51,7 @@ class Laboratory {
   [[nodiscard]] Film render(const Plan& plan, RenderRequest request);
   [[nodiscard]] Backend& backend_of(const Plan& plan);
   [[nodiscard]] ImageSize shrunk(double pixels) const;
-  [[nodiscard]] ImageSize affordable_size();
+  void measure_rate();
   /// Of an image that the budget suffices for, with the numbers of samples of ladder(). At most 0
   /// where it does not even suffice for compiling.
   [[nodiscard]] double affordable_pixels() const;

@@ -55,6 +55,8 @@ TEST_F(ManualCliTest, BashCompletesCommandsOptionsAndWords) {
   EXPECT_EQ(completed("facet ren", 1), "render\n");
   EXPECT_EQ(completed("facet render --exp", 2), "--exposure\n");
   EXPECT_EQ(completed("facet render --sampling v", 3), "visible\n");
+  EXPECT_EQ(completed("facet render --sampling = v", 4), "visible\n");
+  EXPECT_EQ(completed("facet render --sampling =", 3), "ndf visible uniform\n");
   EXPECT_EQ(completed("facet compare --max-f", 2), "--max-flip\n");
   // Files are bash's own.
   EXPECT_EQ(completed("facet render sce", 2), "\n");
