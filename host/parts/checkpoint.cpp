@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/error.h"
@@ -105,9 +106,8 @@ std::string numbers_text(const RenderState& state) {
 
 void read_numbers(const std::string& text, RenderState& state, const std::string& file) {
   std::map<std::string, std::string, std::less<>> entries;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view entry = rest.substr(0, rest.find(' '));
-    rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
+  std::istringstream words(text);
+  for (std::string entry; words >> entry;) {
     const std::size_t middle = std::min(entry.find('='), entry.size());
     entries[std::string(entry.substr(0, middle))] =
         entry.substr(std::min(middle + 1, entry.size()));
