@@ -80,7 +80,7 @@ ExitCode compare(const CompareCommand& command) {
 void add_thresholds(Command& command, CompareOptions& o) {
   command.group("Thresholds (exit code 1 where one does not hold)");
   command.number("--max-mean", o.max_mean, 0, INFINITY,
-                 "How far the ratio of the mean luminances may be from 1");
+                 "How far the ratio of the means of R, G or B may be from 1");
   command.number("--max-abs", o.max_abs, 0, INFINITY, "Largest difference of a channel");
   command.number("--max-rmse", o.max_rmse, 0, INFINITY, "Root of the mean squared difference");
   command.number("--max-relmse", o.max_relmse, 0, INFINITY,

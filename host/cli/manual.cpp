@@ -205,15 +205,16 @@ _facet() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=""
   COMPREPLY=()
   # --option=word is three words to bash.
-  if [ "$current" = "=" ]; then current=""
-  elif [ "$previous" = "=" ]; then previous=${{COMP_WORDS[COMP_CWORD-2]}}
+  local joined=""
+  if [ "$current" = "=" ]; then current="" joined=yes
+  elif [ "$previous" = "=" ]; then previous=${{COMP_WORDS[COMP_CWORD-2]}} joined=yes
   fi
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="{} --help --version"
   else
     case ${{COMP_WORDS[1]}}.$previous in
 {}    esac
-    if [ -z "$words" ]; then
+    if [ -z "$words$joined" ]; then
       case $current in
         -*)
           case ${{COMP_WORDS[1]}} in

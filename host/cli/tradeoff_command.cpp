@@ -77,7 +77,7 @@ class TradeoffJob {
     study_.base = make_request(o);
     study_.pictures = !options_.html.empty();
     RenderRequest longest = study_.base;
-    if (!longest.samples) longest.samples = tradeoff::most_samples;
+    if (!longest.samples) longest.samples = tradeoff::default_most_samples;
     warn_about_render(*scene_, resolve(*scene_, longest), diagnostics);
     print_warnings(diagnostics);
   }
@@ -115,9 +115,10 @@ void add_tradeoff_command(CommandLine& line) {
   add_setting_options(command, o.render);
   command.describe("--spp",
                    fmt::format("The most samples a pixel; a quarter and a sixteenth of them are "
-                               "measured, too. {} unless given, or fewer where the size is given "
-                               "and the budget too small for so many",
-                               tradeoff::most_samples));
+                               "measured, too. {} unless given, or fewer, {} at least, where "
+                               "--resolution, --crop or --reference decide the size and the budget "
+                               "is too small for so many",
+                               tradeoff::default_most_samples, least_adaptive_samples));
   command.describe(
       "--resolution",
       "Size of the images, WxH; otherwise the scene's own, or less where the budget is "
@@ -125,7 +126,7 @@ void add_tradeoff_command(CommandLine& line) {
   command.number("--budget", o.tradeoff.budget, 1.0, 1e9, "Seconds for all of it, about");
   command.text("--reference", o.tradeoff.reference,
                "Image to measure errors against, of the same size; otherwise one is rendered, in "
-               "three tenths of the budget");
+               "three tenths of the budget at most, but with 16 times the samples at least");
   command.text(
       "--recommend", o.recommend,
       "Say how to reach this relative error soonest, 1% or 0.01; with --quiet, the command "

@@ -17,7 +17,7 @@ namespace facet {
 struct CompareOptions {
   std::string image;
   std::string reference;
-  std::optional<double> max_mean;  ///< how far the ratio of the means may be from 1
+  std::optional<double> max_mean;  ///< how far a channel's mean ratio may be from 1
   std::optional<double> max_relmse;
   std::optional<double> max_rmse;
   std::optional<double> max_abs;
@@ -33,8 +33,8 @@ struct CompareOptions {
 
   /// Whether anything can make the comparison fail.
   [[nodiscard]] bool has_thresholds() const {
-    return max_mean || max_relmse || max_rmse || max_abs || max_flip || max_hdrflip || min_identical ||
-           max_beyond || z_test;
+    return max_mean || max_relmse || max_rmse || max_abs || max_flip || max_hdrflip ||
+           min_identical || max_beyond || z_test;
   }
 };
 

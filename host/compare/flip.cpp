@@ -7,6 +7,7 @@
 #include "compare/flip_map.h"
 #include "compare/metrics.h"
 #include "core/error.h"
+#include "core/maths.h"
 
 namespace facet {
 
@@ -45,8 +46,7 @@ class Pair {
       return std::max(0.0, double{planes_[1][c][i]});
     };
     for (std::size_t i = 0; i < finite_.size(); ++i) {
-      if (finite_[i])
-        luminances.push_back(0.2126 * at(0, i) + 0.7152 * at(1, i) + 0.0722 * at(2, i));
+      if (finite_[i]) luminances.push_back(luminance(dvec3(at(0, i), at(1, i), at(2, i))));
     }
     std::sort(luminances.begin(), luminances.end());
     return luminances;

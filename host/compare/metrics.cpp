@@ -164,6 +164,17 @@ void check_comparable(const Image& a, const std::string& name_a, const Image& b,
   }
 }
 
+double ErrorMetrics::mean_change() const {
+  const glm::dvec3 ratios = mean_ratios();
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double change = std::abs(ratios[c] - 1);
+    // NaN is beyond every bound.
+    if (!(change <= largest)) largest = change;
+  }
+  return largest;
+}
+
 ErrorMetrics measure_errors(const Image& image, const Image& reference, double tolerance) {
   check_comparable(image, "the image", reference, "the reference");
   return Measurement(image, reference, tolerance).run();

@@ -46,16 +46,24 @@ struct ErrorMetrics {
   /// (0.01 * mean luminance of r)^2. In a black reference it is 0: an equal pixel's term is 0 then,
   /// another's infinite.
   [[nodiscard]] double epsilon() const { return 1e-4 * mean_luminance * mean_luminance; }
-  /// Mean luminance of a over that of r, of the pixels finite in both; 1 where they are equal, black
-  /// too. NaN where there are no such pixels.
+  /// Mean luminance of a over that of r, of the pixels finite in both.
   [[nodiscard]] double mean_ratio() const {
-    const double a = luminance(mean_image);
-    const double r = luminance(mean_reference);
-    return a == r ? 1 : a / r;
+    return ratio(luminance(mean_image), luminance(mean_reference));
   }
+  /// The same of R, G and B.
+  [[nodiscard]] glm::dvec3 mean_ratios() const {
+    return {ratio(mean_image.r, mean_reference.r), ratio(mean_image.g, mean_reference.g),
+            ratio(mean_image.b, mean_reference.b)};
+  }
+  /// The farthest that one of mean_ratios() is from 1.
+  [[nodiscard]] double mean_change() const;
   [[nodiscard]] double share(std::size_t count) const {
     return static_cast<double>(count) / static_cast<double>(pixels);
   }
+
+ private:
+  /// 1 where both are equal, black too; infinite where only r is 0, NaN where there are no pixels.
+  [[nodiscard]] static double ratio(double a, double r) { return a == r ? 1 : a / r; }
 };
 
 /// A pixel is beyond the tolerance t if |a - r| > t * (|r| + 0.01 * mean luminance of r) in a

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "core/maths.h"
+
 namespace facet {
 
 double relmse_epsilon(const Film& film) {
   double luminance_sum = 0;
   for (const PixelSums& p : film.pixels) {
     const auto& v = p.values;
-    if (p.samples > 0) luminance_sum += (0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2]) / p.samples;
+    if (p.samples > 0) luminance_sum += luminance(dvec3(v[0], v[1], v[2])) / p.samples;
   }
   const double hundredth = 0.01 * luminance_sum / static_cast<double>(film.pixels.size());
   return std::max(hundredth * hundredth, 1e-300);

@@ -17,10 +17,10 @@ std::string share_text(const ErrorMetrics& e, std::size_t count) {
 }
 
 std::string means_text(const ErrorMetrics& e) {
-  const glm::dvec3 ratio = e.mean_image / e.mean_reference;
-  return fmt::format("mean luminance {:.4g} of {:.4g}; R {:.4g}, G {:.4g}, B {:.4g}",
-                     luminance(e.mean_image), luminance(e.mean_reference), ratio.r, ratio.g,
-                     ratio.b);
+  const glm::dvec3 ratios = e.mean_ratios();
+  return fmt::format("mean luminance {:.4g} of {:.4g}; ratios of R, G, B: {:.4g}, {:.4g}, {:.4g}",
+                     luminance(e.mean_image), luminance(e.mean_reference), ratios.r, ratios.g,
+                     ratios.b);
 }
 
 constexpr std::size_t worst_count = 12;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/record.h"
 #include "image/rerun.h"
 
 namespace facet::tradeoff {

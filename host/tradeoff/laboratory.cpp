@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "compare/metrics.h"
 #include "core/clock.h"
@@ -48,8 +49,9 @@ Laboratory::Laboratory(Backend& kernels, ScenePtr scene, const Options& options,
   const RenderSettings settings = settings_of(*scene_, base_);
   seed_ = settings.seed;
   own_size_ = size_ = settings.size;
-  const std::uint32_t most =
-      options.base.samples ? static_cast<std::uint32_t>(*options.base.samples) : most_samples;
+  const std::uint32_t most = options.base.samples
+                                 ? static_cast<std::uint32_t>(*options.base.samples)
+                                 : default_most_samples;
   ladder_ = ladder_to(most);
   if (ladder_.empty())
     throw InputError(fmt::format("{} samples a pixel: adaptive sampling needs at least {}", most,
@@ -65,7 +67,8 @@ Laboratory::Laboratory(Backend& kernels, ScenePtr scene, const Options& options,
   const auto start = std::chrono::steady_clock::now();
   const Film trial = render(base_, ladder_.front(), 0);
   startup_seconds_ = seconds_since(start) - trial.record.seconds;
-  measure_rate();
+  rate_ = static_cast<double>(trial.pixels.size()) * ladder_.front() / trial.record.seconds;
+  if (!options.base.crop) measure_rate();
   size_ = is_free ? shrunk(std::max<double>(least_pixels, affordable_pixels())) : wanted;
   const bool fewer_will_do = !is_free && !options.base.samples;
   while (fewer_will_do && ladder_.back() / 2 >= least_adaptive_samples &&
@@ -143,14 +146,19 @@ void Laboratory::take_reference() {
 }
 
 void Laboratory::measure_rate() {
-  constexpr double pixels_of_trial = 1 << 14;
   constexpr std::uint32_t samples_of_trial = least_adaptive_samples;
-  if (!options_.base.crop) size_ = shrunk(pixels_of_trial);
-  // The first one warms up.
-  (void)render(base_, samples_of_trial, 0);
-  const Film film = render(base_, samples_of_trial, 0);
-  const double samples = static_cast<double>(film.pixels.size()) * samples_of_trial;
-  rate_ = samples / film.record.seconds;
+  constexpr double most_of_budget = 0.02;
+  const ImageSize size = size_;
+  // A fast device is at its best with many paths at a time, for which a slow one takes too long.
+  for (const double pixels_of_trial : {0x1p14, 0x1p20}) {
+    size_ = shrunk(pixels_of_trial);
+    const double samples = pixels() * samples_of_trial;
+    if (pixels_of_trial > 0x1p14 && samples / rate_ > most_of_budget * options_.budget) break;
+    // The first one warms up.
+    (void)render(base_, samples_of_trial, 0);
+    rate_ = samples / render(base_, samples_of_trial, 0).record.seconds;
+  }
+  size_ = size;
 }
 
 double Laboratory::affordable_pixels() const {
@@ -158,8 +166,9 @@ double Laboratory::affordable_pixels() const {
                       startup_seconds_ * static_cast<double>(first_.size());
   const double for_reference =
       reference_until * left * rate_ / (planned_reference * ladder_.back());
-  const double for_settings = (alone_until - reference_until) * left * rate_ /
-                              (planned_seeds * planned_slowness * samples_of_round());
+  const double share = options_.reference.empty() ? alone_until - reference_until : alone_until;
+  const double for_settings =
+      share * left * rate_ / (planned_seeds * planned_slowness * samples_of_round());
   return options_.reference.empty() ? std::min(for_reference, for_settings) : for_settings;
 }
 
@@ -204,7 +213,7 @@ void Laboratory::find_reference() {
   // What settings need goes before digits of the reference.
   const double seconds = std::min(seconds_until(reference_until),
                                   seconds_until(climbing_until) - expected_seconds(planned_seeds));
-  if (pixels() * enough / rate_ < seconds) {
+  if (planned_slowness * pixels() * enough / rate_ < seconds) {
     using std::chrono::steady_clock;
     request.deadline = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(
                                                  std::chrono::duration<double>(seconds));

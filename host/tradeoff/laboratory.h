@@ -51,10 +51,12 @@ class Laboratory {
   [[nodiscard]] Film render(const Plan& plan, RenderRequest request);
   [[nodiscard]] Backend& backend_of(const Plan& plan);
   [[nodiscard]] ImageSize shrunk(double pixels) const;
+  /// Of the base, by small images of it.
   void measure_rate();
-  /// Of an image that the budget suffices for, with the numbers of samples of ladder(). At most 0
-  /// where it does not even suffice for compiling.
+  /// Pixels of the largest image that the budget suffices for, with ladder()'s numbers of samples;
+  /// 0 or less where it does not even suffice for compiling.
   [[nodiscard]] double affordable_pixels() const;
+  /// Of an image of size(), or of the crop of it.
   [[nodiscard]] double pixels() const;
   /// A sixteenth, a quarter and all of so many, where that is enough for the base.
   [[nodiscard]] std::vector<std::uint32_t> ladder_to(std::uint32_t most) const;

@@ -12,9 +12,9 @@
 
 namespace facet::tradeoff {
 
-/// The largest number of samples a pixel that is measured where none is given; fewer where the
-/// images' size is given and the budget does not suffice for so many of them.
-inline constexpr std::uint32_t most_samples = 64;
+/// The largest number of samples a pixel that is measured where none is given; fewer, but 16 at
+/// least, where a size, a crop or a reference is given and the budget too small for so many.
+inline constexpr std::uint32_t default_most_samples = 64;
 
 struct Options {
   RenderRequest base;       ///< what every render has; `samples`: the most of any, if given

@@ -37,7 +37,7 @@ void write_image(const std::filesystem::path& path, const Image& image,
 
 /// Errors of an image against a reference.
 struct ComparisonSummary {
-  double mean_ratio = 0;      ///< mean luminance over that of the reference
+  double mean_ratio = 0;      ///< mean luminance over that of the reference; of black over black 1
   double max_abs = 0;         ///< largest difference of a channel
   double rmse = 0;            ///< root of the mean squared difference
   double relmse = 0;          ///< mean squared difference relative to the reference

@@ -56,6 +56,7 @@ TEST_F(ManualCliTest, BashCompletesCommandsOptionsAndWords) {
   EXPECT_EQ(completed("facet render --exp", 2), "--exposure\n");
   EXPECT_EQ(completed("facet render --sampling v", 3), "visible\n");
   EXPECT_EQ(completed("facet render --sampling = v", 4), "visible\n");
+  EXPECT_EQ(completed("facet render --json = -", 4), "\n");
   EXPECT_EQ(completed("facet render --sampling =", 3), "ndf visible uniform\n");
   EXPECT_EQ(completed("facet compare --max-f", 2), "--max-flip\n");
   // Files are bash's own.

@@ -143,18 +143,6 @@ TEST_F(TradeoffCliTest, AdviceIsACommandThatKeepsItsPromise) {
   EXPECT_LE(report["error_estimate"]["relative_upper95"], 0.05);
 }
 
-TEST_F(TradeoffCliTest, ABudgetTooSmallForASizeBuysFewerSamples) {
-  const Words words{"tradeoff",   "scene.xml",    "--budget", "1",
-                    "--json",     "t.json",       "--quiet",  "--integrator",
-                    "direct_ems", "--resolution", "48x40"};
-  ASSERT_EQ(run(words).code, 0);
-  std::set<int> samples;
-  const auto report = nlohmann::json::parse(folder_.read("t.json"));
-  for (const auto& p : report["points"]) samples.insert(p["spp"].get<int>());
-  EXPECT_EQ(samples, (std::set{1, 4, 16})) << "a second does not suffice for 64";
-  EXPECT_TRUE(names_of(report["points"]).contains("adaptive"));
-}
-
 TEST_F(TradeoffCliTest, AllCombinationsAreMeasuredWhereAskedFor) {
   write_scene("black.xml", floor() + light());
   const auto names = names_of(

@@ -4,7 +4,12 @@
 file(REMOVE_RECURSE ${WORK})
 file(GLOB parts ${SOURCE}/*)
 list(FILTER parts EXCLUDE REGEX "/(\\.[^/]*|build|out)$")
-file(COPY ${parts} DESTINATION ${WORK}/tree)
+foreach(part ${parts})
+  cmake_path(IS_PREFIX part ${WORK} is_built_in)
+  if(NOT is_built_in)
+    file(COPY ${part} DESTINATION ${WORK}/tree)
+  endif()
+endforeach()
 
 # The block of code that follows the first mention of a file.
 file(READ ${SOURCE}/docs/guide/adding-a-bsdf.md page)

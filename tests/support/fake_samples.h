@@ -13,11 +13,11 @@
 
 namespace facet::test {
 
-inline constexpr int side = 48;
-
 /// Pixels of expectation 1 whose samples are uniform within a width, and take a time.
 class FakeSamples : public SampleSource {
  public:
+  static constexpr int side = 48;  ///< pixels, of a square
+
   explicit FakeSamples(std::uint32_t seed = 1, double width = 1)
       : width_(width), random_(seed), films_{blank(), blank()} {}
 

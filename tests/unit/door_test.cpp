@@ -248,6 +248,7 @@ TEST_F(Requests, parts_merge_to_the_whole) {
   }
   const ComparisonSummary same = compare(develop(merged, false), develop(whole, false));
   EXPECT_LT(same.rmse, 1e-7);
+  EXPECT_NEAR(same.mean_ratio, 1, 1e-6);
   write_image(b, render({.sample_range = SampleRange{3, 4}, .seed = 4}), {.part = true});
   EXPECT_THROW((void)merge_parts({a, b}), Error);
   EXPECT_THROW((void)merge_parts({}), Error);

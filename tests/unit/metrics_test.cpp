@@ -74,12 +74,23 @@ TEST(MetricsTest, MeansTellABrighterImageOfPixelsFiniteInBoth) {
   EXPECT_EQ(m.mean_image, glm::dvec3(4.5, 4.5, 9));
   EXPECT_EQ(m.mean_reference, glm::dvec3(3));
   EXPECT_NEAR(m.mean_ratio(), 1.5 + 0.0722 * 1.5, 1e-12);
+  EXPECT_EQ(m.mean_change(), 2);
+  // No blue in either is no change of it; a red and a green that make up for each other are.
+  Image red(1, 1, {"R", "G", "B"});
+  Image green = red;
+  red.at(0, 0, 0) = 0.7152F;
+  green.at(0, 0, 1) = 0.2126F;
+  const ErrorMetrics colours = measure_errors(red, green, 0);
+  EXPECT_NEAR(colours.mean_ratio(), 1, 1e-7);
+  EXPECT_EQ(colours.mean_ratios(), glm::dvec3(INFINITY, 0, 1));
+  EXPECT_EQ(colours.mean_change(), INFINITY);
   const Image black = constant(3, 1, 0);
   EXPECT_EQ(measure_errors(black, black, 0).mean_ratio(), 1);
   EXPECT_EQ(measure_errors(black, r, 0).mean_ratio(), 0);
   EXPECT_FALSE(std::isfinite(measure_errors(r, black, 0).mean_ratio()));
   const Image none = constant(3, 1, NAN);
   EXPECT_TRUE(std::isnan(measure_errors(none, none, 0).mean_ratio()));
+  EXPECT_TRUE(std::isnan(measure_errors(none, none, 0).mean_change()));
 }
 
 TEST(MetricsTest, LuminanceWeighsChannels) {

@@ -1,4 +1,4 @@
-// The table of provenance.
+// The table of provenance, and the commands that are made of it.
 #include "image/record.h"
 
 #include <gtest/gtest.h>

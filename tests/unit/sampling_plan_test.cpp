@@ -13,6 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr int side = FakeSamples::side;
+
 SamplingOutcome render_samples(const SamplingGoal& goal, SampleSource& source) {
   return SamplingPlan(goal).run(source);
 }

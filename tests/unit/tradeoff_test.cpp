@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "image/film.h"
+#include "support/scenes.h"
 #include "tradeoff/advice.h"
 #include "tradeoff/series.h"
 
@@ -32,6 +34,38 @@ Film noisy_film(std::mt19937& random, int samples, double mean) {
 
 Image noisy_image(std::mt19937& random, int samples, double mean) {
   return develop(noisy_film(random, samples, mean), false);
+}
+
+/// Numbers of samples that are measured of a lit floor, by the reference, whatever the time.
+std::set<std::uint32_t> samples_measured(const RenderRequest& base, double budget) {
+  Scene scene = test::make_scene("direct_ems");
+  test::add_mesh(scene, test::make_quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}),
+                 bsdf::Diffuse{});
+  test::add_mesh(scene, test::make_quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}),
+                 bsdf::Diffuse{}, Color(1));
+  test::set_camera(scene, 8, 40, {0, 3, 4}, {0, 0, 0});
+  const auto backend = open_backend({.reference = Precision::float_});
+  Options options;
+  options.base = base;
+  options.budget = budget;
+  const auto measured = measure(*backend, std::make_shared<const Scene>(std::move(scene)), options,
+                                [](double, const std::string&) { return true; });
+  std::set<std::uint32_t> samples;
+  for (const Setting& setting : measured->settings) {
+    for (const Point& p : setting.points) samples.insert(p.samples);
+  }
+  return samples;
+}
+
+TEST(TradeoffBudget, TooSmallForASizeItBuysFewerSamples) {
+  using Counts = std::set<std::uint32_t>;
+  constexpr double none = 1e-3;
+  const ImageSize size{8, 6};
+  EXPECT_EQ(samples_measured({.size = size}, none), (Counts{1, 4, 16}));
+  EXPECT_EQ(samples_measured({.size = size, .crop = Crop{2, 1, 6, 5}}, none), (Counts{1, 4, 16}));
+  EXPECT_EQ(samples_measured({.samples = 32, .size = size}, none), (Counts{2, 8, 32}))
+      << "those that were asked for";
+  EXPECT_EQ(samples_measured({}, none), (Counts{4, 16, 64})) << "of an image that may be small";
 }
 
 // Of exponential samples of mean 1, relMSE is 1 / samples. Over 4096 pixels, 1 / samples is known
