@@ -8,10 +8,8 @@ namespace facet::parity {
 
 using reference::Decision;
 using reference::decision_name;
-using reference::largest_component;
 using reference::Tracer;
 using reference::Triangle;
-using reference::ulp;
 using reference::Watch;
 
 namespace {

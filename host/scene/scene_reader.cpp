@@ -149,7 +149,7 @@ std::vector<Bsdf> SceneReader::read_materials(const ObjParts& parts,
   std::map<std::filesystem::path, std::uint32_t> textures;
   std::vector<std::string> unknown;
   for (const std::string& name : parts.materials) {
-    bsdf::Diffuse& diffuse = std::get<bsdf::Diffuse>(bsdfs.emplace_back(bsdf::Diffuse{}));
+    auto& diffuse = std::get<bsdf::Diffuse>(bsdfs.emplace_back(bsdf::Diffuse{}));
     const auto material = materials.find(name);
     if (material == materials.end()) {
       if (!name.empty() && !materials.empty()) unknown.push_back(name);
