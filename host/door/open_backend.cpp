@@ -52,6 +52,7 @@ std::unique_ptr<Backend> open_backend(const BackendOptions& options) {
                                   .validate = options.validate});
   }
   std::vector<std::unique_ptr<TestableBackend>> backends;
+  backends.reserve(devices.size());
   for (const std::string& device : devices) {
     backends.push_back(
         device == "reference"

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cstring>
+#include <cstdint>
 #include <stdexcept>
 #include <thread>
 
@@ -24,10 +25,10 @@ constexpr const char* no_state = "a render that several devices share has no sta
 
 /// In how many pixels two films of one sample a pixel differ in any bit.
 std::size_t differing_pixels(const Film& a, const Film& b) {
+  using Bits = std::array<std::uint64_t, 3>;
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    if (std::memcmp(&a.pixels[i].values, &b.pixels[i].values, sizeof a.pixels[i].values) != 0)
-      ++count;
+    if (std::bit_cast<Bits>(a.pixels[i].values) != std::bit_cast<Bits>(b.pixels[i].values)) ++count;
   }
   return count;
 }

@@ -251,7 +251,7 @@ void check_continues(const RenderState& saved, const std::string& file, const Re
 
 std::string describe_progress(const PartFile& checkpoint) {
   const RenderState state = numbers_of(checkpoint);
-  const std::string time = fmt::format("{:.1f} s of rendering", state.statistics.render_seconds);
+  std::string time = fmt::format("{:.1f} s of rendering", state.statistics.render_seconds);
   if (checkpoint.record.adaptive) return time;
   const std::string done =
       fmt::format("{} and {} samples of a pixel", time, state.plan.whole_samples());

@@ -120,7 +120,7 @@ DensityIntegral integrate_density(BsdfEvaluator& evaluator, const vec3& wo,
   std::vector<Estimated> open = quadrature.estimate(std::move(cells));
   for (int round = 1; !open.empty(); ++round) {
     // This round, and one after it in which every cell is still open.
-    const std::uint64_t needed = std::uint64_t{5 * 4} * Quadrature::point_count * open.size();
+    const std::uint64_t needed = std::uint64_t{5} * 4 * Quadrature::point_count * open.size();
     const bool last =
         round == most_rounds || quadrature.evaluations + needed > options.most_evaluations;
     std::vector<Cell> fine;

@@ -188,6 +188,7 @@ TEST(TradeoffSeries, OneBrightPixelDoesNotDecide) {
   points[3].log_variance = 1;
   points[4].relmse = 0.08;  // known to be so
   std::vector<Point*> list;
+  list.reserve(points.size());
   for (Point& p : points) list.push_back(&p);
   expect(list);
   EXPECT_NEAR(points[1].expected, 0.02, 1e-12);
