@@ -172,7 +172,7 @@ class FarmPlanJob {
 
   void tell() const {
     const tradeoff::FarmPlan& p = plan_;
-    const double pixels = static_cast<double>(area(pixels_));
+    const auto pixels = static_cast<double>(area(pixels_));
     put("{}: {}x{} pixels, {}, on {}\n", options_.render.scene, pixels_.x1 - pixels_.x0,
         pixels_.y1 - pixels_.y0, record_.integrator, device_);
     const std::string error =
