@@ -109,8 +109,7 @@ void read_numbers(const std::string& text, RenderState& state, const std::string
   std::istringstream words(text);
   for (std::string entry; words >> entry;) {
     const std::size_t middle = std::min(entry.find('='), entry.size());
-    entries[std::string(entry.substr(0, middle))] =
-        entry.substr(std::min(middle + 1, entry.size()));
+    entries[entry.substr(0, middle)] = entry.substr(std::min(middle + 1, entry.size()));
   }
   visit_numbers(state, [&](const char* name, auto& value) {
     const auto found = entries.find(name);

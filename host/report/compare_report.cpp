@@ -25,13 +25,12 @@ std::string means_text(const ErrorMetrics& e) {
 
 constexpr std::size_t worst_count = 12;
 
-/// R, G and B of a pixel.
+nlohmann::json rgb_json(const glm::dvec3& color) { return {color.r, color.g, color.b}; }
+
 nlohmann::json color_json(const Image& image, std::size_t pixel) {
   const auto planes = rgb_planes(image);
-  return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
+  return rgb_json({planes[0][pixel], planes[1][pixel], planes[2][pixel]});
 }
-
-nlohmann::json rgb_json(const glm::dvec3& color) { return {color.r, color.g, color.b}; }
 
 /// The command that renders a pixel of an image again, place i of it; empty where there is none. Of
 /// an adaptive image, the pixel's own number of samples is needed.
