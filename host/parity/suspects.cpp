@@ -15,10 +15,6 @@ std::string emitter_name(const Scene& scene, std::uint32_t i) {
   return fmt::format("emitter {} ({})", i, point ? "point light" : "environment");
 }
 
-const char* texture_name(const Texture& texture) {
-  return std::holds_alternative<CheckerTexture>(texture) ? "checker" : "textmap";
-}
-
 std::string part_name(const Scene& scene, const Feature& f) {
   switch (f.part) {
     case Part::mesh:
@@ -26,7 +22,8 @@ std::string part_name(const Scene& scene, const Feature& f) {
     case Part::vertex_normals:
       return "interpolated normals";
     case Part::texture:
-      return fmt::format("texture {} ({})", f.index, texture_name(scene.textures[f.index]));
+      return fmt::format("texture {} ({})", f.index,
+                         texture_type_names.at(scene.textures[f.index].index()));
     case Part::bsdf_eval:
       return fmt::format("value of {}", bsdf_type_names[f.index]);
     case Part::bsdf_sample:

@@ -19,7 +19,7 @@ template <typename Real, typename Probe>
   const Real row = cell(y, 1);
   // Each by itself: the sum of large numbers may round.
   const bool odd = (std::fmod(column, Real(2)) != 0) != (std::fmod(row, Real(2)) != 0);
-  return Vec3<Real>(odd ? t.second : t.first);
+  return Vec3<Real>(odd ? t.odd() : t.even());
 }
 
 template <typename Real, typename Probe>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/pack/bsdf_record.h"
+#include "render/pack/parameter_records.h"
 #include "shared/emitter_list.h"
 
 namespace facet {

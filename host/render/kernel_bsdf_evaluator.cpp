@@ -4,7 +4,7 @@
 
 #include "gpu/commands.h"
 #include "render/features.h"
-#include "render/pack/bsdf_record.h"
+#include "render/pack/parameter_records.h"
 #include "scene/bsdf/albedo_table.h"
 
 namespace facet {

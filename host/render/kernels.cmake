@@ -22,7 +22,7 @@ macro(facet_kernel kernel fetch)
     COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.1 ${ARGN}
             -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_BINARY_DIR}/generated
             --depfile ${raw}.d -o ${raw} ${source}
-    DEPENDS ${source} ${FACET_BSDF_PARAMETERS} ${FACET_RECORD_READS}
+    DEPENDS ${source} ${FACET_PARAMETERS} ${FACET_RECORD_READS}
     DEPFILE ${raw}.d
     COMMENT "Compiling kernel ${name}"
     VERBATIM)

@@ -79,6 +79,9 @@ class Hash {
     add(std::string_view(name));
     add(value);
   }
+  /// What is in the file is hashed, wherever it lies.
+  void operator()(const char* /*name*/, const std::string& /*value*/,
+                  const parameter::File& /*kind*/, const char* /*meaning*/) {}
   template <typename Value>
   void derived(const char* /*name*/, const Value& /*value*/) {}
   template <typename Type>
@@ -89,29 +92,15 @@ class Hash {
     std::visit([this](const auto& parameters) { add(parameters); }, bsdf);
   }
   void add(const AreaEmitter& emitter) {
-    const auto& [mesh, radiance, texture] = emitter;
-    add(mesh);
-    add(radiance);
-    add(texture);
-  }
-  void add(const CheckerTexture& texture) {
-    const auto& [first, second, scale_x, scale_y] = texture;
-    add(first);
-    add(second);
-    add(scale_x);
-    add(scale_y);
+    add(emitter.mesh);
+    AreaEmitter::declare(emitter, *this);
   }
   void add(const BitmapTexture& texture) {
-    const auto& [width, height, texels, srgb, factor, scale_x, scale_y, colors] = texture;
-    add(width);
-    add(height);
-    add(texels);
-    add(srgb ? 1 : 0);
-    add(factor);
-    add(scale_x);
-    add(scale_y);
-    // Textures of bytes keep the number that they had before there were others.
-    if (!colors.empty()) add(colors);
+    add(texture.width);
+    add(texture.height);
+    add(texture.texels);
+    add(texture.colors);
+    BitmapTexture::declare(texture, *this);
   }
   void add(const EnvironmentEmitter& emitter) {
     const auto& [width, height, texels] = emitter;

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "scene/emitter/parameters.h"
+#include "scene/emitter/environment.h"
 #include "scene/manuals.h"
 #include "scene/mesh/obj.h"
 #include "scene/test.h"
-#include "scene/texture/parameters.h"
+#include "scene/texture/texture.h"
 #include "shared/emitter_list.h"
 
 namespace facet {
@@ -16,7 +16,7 @@ namespace {
 
 /// The parameters of each emitter of the shared list.
 struct EmitterDeclarations {
-  AreaParameters area;
+  AreaEmitter area;
   EnvironmentParameters environment;
   PointLight pointlight;
 };
@@ -29,14 +29,15 @@ std::vector<PluginInfo> make_plugins() {
       {"rfilter", "mitchell", list_parameters<MitchellFilter>()},
       {"rfilter", "tent", list_parameters<TentFilter>()},
       {"rfilter", "box", list_parameters<BoxFilter>()},
-      {"texture", "textmap", list_parameters<TextmapParameters>()},
-      {"texture", "checker", list_parameters<CheckerParameters>()},
       {"test", "ttest", list_parameters<TTest>()},
       {"test", "chi2test", list_parameters<ChiSquaredTest>()},
   };
 #define FACET_BSDF(name, Type, id) list.push_back({"bsdf", #name, list_parameters<bsdf::Type>()});
   FACET_BSDF_LIST(FACET_BSDF)
 #undef FACET_BSDF
+#define FACET_TEXTURE(name, Type) list.push_back({"texture", #name, list_parameters<Type>()});
+  FACET_TEXTURE_LIST(FACET_TEXTURE)
+#undef FACET_TEXTURE
   const EmitterDeclarations emitters;
 #define FACET_EMITTER(name, id) list.push_back({"emitter", #name, list_parameters(emitters.name)});
   FACET_EMITTER_LIST(FACET_EMITTER)

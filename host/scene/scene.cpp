@@ -32,8 +32,8 @@ Box Scene::bounds() const {
 }
 
 Color Scene::mean_radiance(const AreaEmitter& emitter) const {
-  return emitter.texture == none ? emitter.radiance
-                                 : emitter.radiance * mean(textures[emitter.texture]);
+  const Textured<Color> emitted = emitter.emitted();
+  return emitted.is_textured() ? emitted.value * mean(textures[emitted.texture]) : emitted.value;
 }
 
 std::uint32_t Scene::environment() const {

@@ -20,6 +20,8 @@
 
 namespace facet {
 
+class PropertyReader;
+
 /// Triangles with what they look like. World space. Indices are zero-based; the three kinds of
 /// vertex data have lists of their own, as in OBJ files.
 struct Mesh {
@@ -45,9 +47,22 @@ struct Mesh {
 
 /// One-sided emission of a mesh.
 struct AreaEmitter {
-  std::uint32_t mesh = 0;        ///< index into Scene::meshes
-  Color radiance{1};             ///< W sr^-1 m^-2, scale included
-  std::uint32_t texture = none;  ///< a factor on the radiance; index into Scene::textures
+  std::uint32_t mesh = 0;  ///< index into Scene::meshes
+  Textured<Color> radiance{Color(1)};
+  double scale = 1;
+
+  template <typename Self, typename Visitor>
+  static void declare(Self& p, Visitor& visit) {
+    visit("scale", p.scale, parameter::Scale{}, "factor on the radiance");
+    visit("radiance", p.radiance, parameter::NonNegativeColor{.scale = p.scale},
+          "emitted radiance, W sr^-1 m^-2");
+  }
+  /// Throws InputError where the scale makes the radiance too large.
+  void check(const PropertyReader& properties) const;
+  /// Radiance with the scale; a factor on the texture where there is one.
+  [[nodiscard]] Textured<Color> emitted() const {
+    return parameter::NonNegativeColor{.scale = scale}.scaled(radiance);
+  }
 };
 
 /// Light from a point, equal in all directions.

@@ -4,7 +4,7 @@
    radiance is scaled by (eta_o/eta_i)^2, eta_o being the index on the viewer's side. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/fresnel.glsl"
-#include "bsdf_parameters.glsl"
+#include "parameters.glsl"
 
 vec3 dielectric_eval(BsdfRecord b, vec3 wo, vec3 wi) { return vec3(0.0); }
 

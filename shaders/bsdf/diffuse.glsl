@@ -3,7 +3,7 @@
    f = albedo / pi. Sampled by the cosine-weighted hemisphere, so that f cos / pdf = albedo. */
 #include "../lib/bsdf_sample.glsl"
 #include "../lib/warp.glsl"
-#include "bsdf_parameters.glsl"
+#include "parameters.glsl"
 
 vec3 diffuse_eval(BsdfRecord b, vec3 wo, vec3 wi) { return diffuse_albedo(b) * INV_PI; }
 

@@ -5,6 +5,7 @@
    with the geometric normal ng, p being the probability of the triangle and A its area; or
    (areaSampling) uniformly by the solid angle that the triangles fill. It must not lie in the plane
    of another surface that it overlaps: rounding decides which of the two a ray meets. */
+#include "parameters.glsl"
 #include "../lib/emitter_sample.glsl"
 #include "../lib/choice.glsl"
 #include "../lib/random.glsl"
@@ -15,8 +16,8 @@
 
 /// Radiance leaving surface s towards -d.
 vec3 area_eval(EmitterRecord e, Surface s, vec3 d) {
-  vec3 radiance = e.radiance.rgb;
-  if (TEXTURE_KINDS != 0u) radiance = radiance * texture_value(e.texture, vec3(1.0), s.uv);
+  vec3 radiance = area_radiance(e);
+  if (TEXTURE_KINDS != 0u) radiance = radiance * texture_value(e.texture_a, vec3(1.0), s.uv);
   return dot3(s.ns, d) < 0.0 ? radiance : vec3(0.0);
 }
 

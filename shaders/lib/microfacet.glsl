@@ -3,7 +3,7 @@
 #ifndef FACET_MICROFACET_GLSL
 #define FACET_MICROFACET_GLSL
 #include "beckmann.glsl"
-#include "bsdf_parameters.glsl"
+#include "parameters.glsl"
 #include "ggx.glsl"
 #include "specialization.glsl"
 

@@ -3,6 +3,7 @@
 #ifndef FACET_TEXTURE_GLSL
 #define FACET_TEXTURE_GLSL
 #include "color.glsl"
+#include "parameters.glsl"
 #include "records.glsl"
 #include "specialization.glsl"
 
@@ -14,8 +15,8 @@ bool is_odd(float whole) { return whole - 2.0 * floor(whole * 0.5) == 1.0; }
 
 // Each axis by itself, since a sum of large numbers rounds.
 vec3 checker_value(TextureRecord t, vec2 uv) {
-  return is_odd(floor(uv.x * t.first.w)) != is_odd(floor(uv.y * t.second.w)) ? t.second.rgb
-                                                                             : t.first.rgb;
+  return is_odd(floor(uv.x * checker_scalex(t))) != is_odd(floor(uv.y * checker_scaley(t))) ? checker_odd(t)
+                                                                             : checker_even(t);
 }
 
 /// What a byte of an image stands for.
@@ -36,7 +37,7 @@ vec3 image_texel(TextureRecord t, uint x, uint y) {
 }
 
 vec3 image_value(TextureRecord t, vec2 uv) {
-  vec2 scaled = vec2(uv.x * t.first.w, uv.y * t.second.w);
+  vec2 scaled = vec2(uv.x * textmap_scalex(t), uv.y * textmap_scaley(t));
   vec2 within = scaled - floor(scaled);
   vec2 at = vec2((1.0 - within.x) * float(t.width), (1.0 - within.y) * float(t.height));
   vec2 base = floor(at);
@@ -49,7 +50,7 @@ vec3 image_value(TextureRecord t, vec2 uv) {
   uint y1 = (y0 + 1u) % h;
   vec3 top = (1.0 - f.x) * image_texel(t, x0, y0) + f.x * image_texel(t, x1, y0);
   vec3 bottom = (1.0 - f.x) * image_texel(t, x0, y1) + f.x * image_texel(t, x1, y1);
-  return t.first.rgb * ((1.0 - f.y) * top + f.y * bottom);
+  return textmap_color(t) * ((1.0 - f.y) * top + f.y * bottom);
 }
 
 /// Value of a texture, or of none.

@@ -78,9 +78,11 @@ FACET_CONSTANT uint ALBEDO_BECKMANN_RATIONAL = 0u;
 FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
 FACET_CONSTANT uint ALBEDO_GGX = 2u;
 
-/// A BSDF's parameters. Where each lies in `a`, `b` and `c` follows from their declaration
-/// (host/render/pack/bsdf_record.h); shaders read them by functions named after them
-/// (roughsubstrate_kd). A texture's value takes the place of the constant; NONE: none does.
+// Parameters of BSDFs, emitters and textures. Where each lies in `a`, `b` and `c` follows from its
+// declaration in host/scene (host/render/pack/record_layout.h); shaders read them by macros named
+// after them (roughsubstrate_kd, area_radiance).
+
+/// A texture's value takes the place of the constant; NONE: none does.
 struct BsdfRecord {
   uint type;  // id of bsdf_list.h
   uint flags;
@@ -95,19 +97,19 @@ struct BsdfRecord {
   vec4 c;
 };
 
-/// A texture: a checker of two colours, or an image.
+/// A texture: a checker, or an image.
 struct TextureRecord {
-  vec4 first;   // rgb: first colour, or the factor on the image; w: cells or images per unit of u
-  vec4 second;  // rgb: second colour; w: per unit of v
-  uint width;   // texels; 0: a checker
+  vec4 a;
+  vec4 b;
+  uint width;  // texels; 0: a checker
   uint height;
   uint first_texel;  // index into the texels, each 0x00bbggrr, or three words of the bits of floats
   uint decoding;     // index of the image's table of 256 values of a byte; NONE: floats
 };
 
 struct EmitterRecord {
-  vec4 radiance;    // rgb, W sr^-1 m^-2 (point lights: intensity, W sr^-1)
-  vec4 position;    // world space (point lights)
+  vec4 a;
+  vec4 b;
   uint type;        // id of emitter_list.h
   uint cumulative;  // the emitter is chosen by the words below this and not below its predecessor's
                     // (docs/reference/sampling.md)
@@ -115,7 +117,7 @@ struct EmitterRecord {
                         // emitter_places: all triangles of the mesh, in order of reading
   uint triangle_count;
   float probability;  // of being chosen
-  uint texture;       // its value is a factor on the radiance; NONE: none
+  uint texture_a;     // its value is a factor on a.rgb; NONE: none
   uint first_index;   // index in the scene of the mesh's first triangle
   uint unused1;
 };

@@ -135,7 +135,7 @@ Scene textured_screen(const Texture& texture, int size) {
   mesh.texcoord_indices = {{0, 1, 2}, {0, 2, 3}};
   scene.textures.push_back(texture);
   add_mesh(scene, mesh, bsdf::Diffuse{Color(0)}, Color(2));
-  std::get<AreaEmitter>(scene.emitters.front()).texture = 0;
+  std::get<AreaEmitter>(scene.emitters.front()).radiance.texture = 0;
   set_camera(scene, size, 90, {0, 0, 1}, {0, 0, 0});
   return scene;
 }

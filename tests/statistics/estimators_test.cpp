@@ -240,7 +240,7 @@ TEST(EstimatorChoices, z_test_sees_a_dimmer_light) {
   Scene scene = load_scene("cbox/cbox_conductors_mis.xml");
   shrink(scene, 48);
   const Image usual = estimate(scene, "direct_mis", 1, 1024);
-  for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance *= 0.95F;
+  for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance.value *= 0.95F;
   EXPECT_FALSE(z_test(usual, estimate(scene, "direct_mis", 2, 1024), significance).passed());
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/pack/bsdf_record.h"
+#include "render/pack/parameter_records.h"
 #include "scene/bsdf/traits.h"
 #include "scene/settings.h"
 

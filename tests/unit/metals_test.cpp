@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "render/pack/bsdf_record.h"
+#include "render/pack/parameter_records.h"
 #include "scene/plugin/parameter_reader.h"
 #include "scene/xml/property_reader.h"
 #include "support/input.h"

@@ -96,7 +96,7 @@ TEST_F(MtlTest, EveryPartShinesWhereTheMeshDoes) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     EXPECT_EQ(scene.meshes[i].emitter, i);
     EXPECT_EQ(std::get<AreaEmitter>(scene.emitters[i]).mesh, i);
-    EXPECT_EQ(std::get<AreaEmitter>(scene.emitters[i]).radiance, Color(3));
+    EXPECT_EQ(std::get<AreaEmitter>(scene.emitters[i]).emitted().value, Color(3));
   }
 }
 

@@ -166,12 +166,14 @@ TEST_F(SceneTest, MeshFilesMayLieInFolders) {
 }
 
 TEST_F(SceneTest, AreaEmitter) {
-  EXPECT_EQ(std::get<AreaEmitter>(read_mesh("<emitter type=\"area\"/>").emitters.at(0)).radiance,
-            Color(1));
+  const auto emitted = [](const Scene& scene) {
+    return std::get<AreaEmitter>(scene.emitters.at(0)).emitted().value;
+  };
+  EXPECT_EQ(emitted(read_mesh("<emitter type=\"area\"/>")), Color(1));
   const Scene scene = read_mesh(
       "<emitter type=\"area\"><color name=\"radiance\" value=\"1 2 3\"/><float name=\"scale\" "
       "value=\"10\"/></emitter>");
-  EXPECT_EQ(std::get<AreaEmitter>(scene.emitters.at(0)).radiance, Color(10, 20, 30));
+  EXPECT_EQ(emitted(scene), Color(10, 20, 30));
 }
 
 TEST_F(SceneTest, PointLight) {

@@ -101,15 +101,15 @@ TEST_F(SceneTexturesTest, AreaEmitters) {
       read("<emitter type=\"area\"><float name=\"scale\" value=\"10\"/>" +
            texture("radiance", "checker", "<color name=\"color1\" value=\"7\"/>") + "</emitter>");
   const auto& area = std::get<AreaEmitter>(scene.emitters.at(0));
-  EXPECT_EQ(area.texture, 0U);
-  EXPECT_EQ(area.radiance, Color(10));
+  EXPECT_EQ(area.emitted().texture, 0U);
+  EXPECT_EQ(area.emitted().value, Color(10));
   EXPECT_NEAR(scene.mean_radiance(area).g, 10 * (7 + 0.1F) / 2, 1e-4F);
 }
 
 TEST_F(SceneTexturesTest, Checker) {
   const auto plain = read_texture<CheckerTexture>("checker", "");
-  EXPECT_EQ(plain.first, Color(0.9F));
-  EXPECT_EQ(plain.second, Color(0.1F));
+  EXPECT_EQ(plain.even(), Color(0.9F));
+  EXPECT_EQ(plain.odd(), Color(0.1F));
   EXPECT_EQ(plain.scale_x, 1);
   EXPECT_EQ(plain.scale_y, 1);
   const char* scales =
@@ -119,16 +119,16 @@ TEST_F(SceneTexturesTest, Checker) {
   EXPECT_EQ(scaled.scale_y, 4);
   const std::string color = "<color name=\"color\" value=\"0.3 0.4 0.5\"/>";
   const auto one = read_texture<CheckerTexture>("checker", color);
-  EXPECT_EQ(one.first, Color(0.3F, 0.4F, 0.5F));
-  EXPECT_EQ(one.second, one.first);
+  EXPECT_EQ(one.even(), Color(0.3F, 0.4F, 0.5F));
+  EXPECT_EQ(one.odd(), one.even());
   const auto two =
       read_texture<CheckerTexture>("checker", color + "<color name=\"color2\" value=\"0.2\"/>");
-  EXPECT_EQ(two.first, one.first);
-  EXPECT_EQ(two.second, Color(0.2F));
+  EXPECT_EQ(two.even(), one.even());
+  EXPECT_EQ(two.odd(), Color(0.2F));
   const auto first =
       read_texture<CheckerTexture>("checker", "<color name=\"color1\" value=\"0.2\"/>");
-  EXPECT_EQ(first.first, Color(0.2F));
-  EXPECT_EQ(first.second, Color(0.1F));
+  EXPECT_EQ(first.even(), Color(0.2F));
+  EXPECT_EQ(first.odd(), Color(0.1F));
 }
 
 TEST_F(SceneTexturesTest, Bitmap) {

@@ -20,8 +20,8 @@ class AreaLight {
         geometry_(geometry),
         sampling_(sampling),
         mesh_(emitter.mesh),
-        radiance_(emitter.radiance),
-        texture_(emitter.texture) {
+        radiance_(emitter.emitted().value),
+        texture_(emitter.radiance.texture) {
     const Mesh& mesh = scene.meshes[emitter.mesh];
     const std::size_t count = mesh.position_indices.size();
     std::vector<double> areas;

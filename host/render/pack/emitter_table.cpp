@@ -5,6 +5,7 @@
 
 #include "render/pack/choice.h"
 #include "render/pack/emitter_pieces.h"
+#include "render/pack/parameter_records.h"
 #include "scene/emitter/light_tree.h"
 
 namespace facet {
@@ -56,14 +57,12 @@ class Maker {
 
   /// Returns the emitter's power, W of white light.
   double add_emitter(std::uint32_t e) {
-    shared::EmitterRecord record{};
-    record.type = static_cast<std::uint32_t>(scene_.emitters[e].index());
-    record.texture = none;
+    shared::EmitterRecord record = pack_emitter(scene_.emitters[e]);
     double power = 0;
     if (const auto* area = std::get_if<AreaEmitter>(&scene_.emitters[e])) {
       power = add_area(*area, e, record);
     } else if (const auto* point = std::get_if<PointLight>(&scene_.emitters[e])) {
-      power = add_point(*point, e, record);
+      power = add_point(*point, e);
     } else {
       table_.environment =
           make_environment_table(std::get<EnvironmentEmitter>(scene_.emitters[e]), compensated_);
@@ -74,9 +73,7 @@ class Maker {
     return power;
   }
 
-  double add_point(const PointLight& light, std::uint32_t e, shared::EmitterRecord& record) {
-    record.radiance = glm::vec4(light.intensity, 0);
-    record.position = glm::vec4(light.position, 0);
+  double add_point(const PointLight& light, std::uint32_t e) {
     LightSource source;
     source.box.add(light.position);
     source.energy = static_cast<double>(luminance(light.intensity));
@@ -88,8 +85,6 @@ class Maker {
   double add_area(const AreaEmitter& light, std::uint32_t e, shared::EmitterRecord& record) {
     const std::vector<EmitterPiece> pieces = emitter_pieces(scene_.meshes[light.mesh]);
     const std::vector<std::uint32_t> places = places_of_(light.mesh);
-    record.radiance = glm::vec4(light.radiance, 0);
-    record.texture = light.texture;
     record.first_triangle = static_cast<std::uint32_t>(table_.triangles.size());
     record.triangle_count = static_cast<std::uint32_t>(pieces.size());
     const auto radiance = static_cast<double>(luminance(scene_.mean_radiance(light)));

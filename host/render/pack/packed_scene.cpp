@@ -7,9 +7,9 @@
 
 #include "core/clock.h"
 #include "core/parallel.h"
-#include "render/pack/bsdf_record.h"
 #include "render/pack/emitter_table.h"
 #include "render/pack/filter_table.h"
+#include "render/pack/parameter_records.h"
 #include "render/pack/texture_table.h"
 #include "scene/bsdf/albedo_table.h"
 
@@ -165,8 +165,11 @@ class Packer {
   /// Brings the brightest emitter near 1, so that squares of radiances neither over- nor underflow.
   void choose_square_scale() {
     float brightest = 0;
-    for (const shared::EmitterRecord& e : packed_.emitters) {
-      brightest = std::max({brightest, e.radiance.r, e.radiance.g, e.radiance.b});
+    for (const Emitter& emitter : scene_.emitters) {
+      Color color(0);
+      if (const auto* area = std::get_if<AreaEmitter>(&emitter)) color = area->emitted().value;
+      if (const auto* point = std::get_if<PointLight>(&emitter)) color = point->intensity;
+      brightest = std::max({brightest, color.r, color.g, color.b});
     }
     for (const glm::vec4& texel : packed_.environment_texels) {
       brightest = std::max({brightest, texel.r, texel.g, texel.b});

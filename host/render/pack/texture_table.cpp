@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "render/pack/parameter_records.h"
+
 namespace facet {
 
 namespace {
@@ -12,22 +14,6 @@ std::uint32_t add_decoding(std::vector<std::uint32_t>& texels, bool srgb) {
   const auto first = static_cast<std::uint32_t>(texels.size());
   for (const float value : byte_values(srgb)) texels.push_back(std::bit_cast<std::uint32_t>(value));
   return first;
-}
-
-shared::TextureRecord make_record(const CheckerTexture& t) {
-  shared::TextureRecord r{};
-  r.first = glm::vec4(t.first, t.scale_x);
-  r.second = glm::vec4(t.second, t.scale_y);
-  return r;
-}
-
-shared::TextureRecord make_record(const BitmapTexture& t) {
-  shared::TextureRecord r{};
-  r.first = glm::vec4(t.factor, t.scale_x);
-  r.second = glm::vec4(0, 0, 0, t.scale_y);
-  r.width = static_cast<std::uint32_t>(t.width);
-  r.height = static_cast<std::uint32_t>(t.height);
-  return r;
 }
 
 }  // namespace
@@ -40,9 +26,10 @@ TextureTable make_texture_table(std::span<const Texture> textures) {
   const std::uint32_t linear = images ? add_decoding(table.texels, false) : 0;
   const std::uint32_t srgb = images ? add_decoding(table.texels, true) : 0;
   for (const Texture& texture : textures) {
-    shared::TextureRecord record =
-        std::visit([](const auto& t) { return make_record(t); }, texture);
+    shared::TextureRecord record = pack_texture(texture);
     if (const auto* bitmap = std::get_if<BitmapTexture>(&texture)) {
+      record.width = static_cast<std::uint32_t>(bitmap->width);
+      record.height = static_cast<std::uint32_t>(bitmap->height);
       record.decoding = bitmap->colors.empty() ? (bitmap->srgb ? srgb : linear) : shared::NONE;
       record.first_texel = static_cast<std::uint32_t>(table.texels.size());
       table.texels.insert(table.texels.end(), bitmap->texels.begin(), bitmap->texels.end());

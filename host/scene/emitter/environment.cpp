@@ -1,5 +1,6 @@
+#include "scene/emitter/environment.h"
+
 #include "image/files.h"
-#include "scene/emitter/parameters.h"
 #include "scene/emitter/readers.h"
 #include "scene/plugin/parameter_reader.h"
 #include "scene/texture/color_map.h"

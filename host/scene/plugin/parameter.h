@@ -10,7 +10,7 @@
 // The name is the scene language's, the member's value in a new object is the default, the kind
 // says which values it may have. Visitors read parameters from a file (parameter_reader.h), list
 // them for manuals (parameter_list.h), hash them (fingerprint.cpp), put them into the kernels'
-// records and name them in GLSL (render/pack/bsdf_record.h), and vary them in tests.
+// records and name them in GLSL (render/pack/record_layout.h), and vary them in tests.
 //
 // `visit.derived(name, value)` declares what the kernels read beside the parameters because it is
 // computed from them.
@@ -40,8 +40,20 @@ struct Reflectance {
 /// A colour that is not negative, nor larger than `largest_radiance`, or a texture of such.
 struct NonNegativeColor {
   static constexpr const char* type = "colour";
-  double scale = 1;  ///< a factor under which a texture must not be larger either
+  double scale = 1;  ///< a factor (Scale), with which it must not be larger either
   [[nodiscard]] std::string range() const;
+  /// The colour with the factor; the factor alone where a texture gives the colour.
+  [[nodiscard]] Textured<Color> scaled(const Textured<Color>& color) const {
+    Textured<Color> result(Color(dvec3(color.is_textured() ? Color(1) : color.value) * scale));
+    result.texture = color.texture;
+    return result;
+  }
+};
+
+/// A factor, not negative, on a colour that is declared with it.
+struct Scale {
+  static constexpr const char* type = "number";
+  [[nodiscard]] static std::string range() { return "at least 0"; }
 };
 
 /// An optional colour, every channel within bounds.

@@ -58,6 +58,10 @@ class ParameterReader {
                   const char* /*meaning*/) {
     value = static_cast<Number>(properties_.real_between(name, value, kind.least, kind.most));
   }
+  void operator()(const char* name, double& value, const parameter::Scale& /*kind*/,
+                  const char* /*meaning*/) {
+    value = properties_.real_at_least(name, value, 0);
+  }
   void operator()(const char* name, double& value, const parameter::AtLeast& kind,
                   const char* /*meaning*/) {
     value = properties_.real_at_least(name, value, kind.bound);

@@ -7,19 +7,10 @@
 #include "scene/plugin/parameter_reader.h"
 #include "scene/plugins.h"
 #include "scene/texture/color_map.h"
-#include "scene/texture/parameters.h"
 
 namespace facet {
 
 namespace {
-
-CheckerTexture read_checker(PropertyReader& p) {
-  const auto given = read_parameters<CheckerParameters>(p);
-  const CheckerTexture defaults;
-  return {given.first.value_or(given.both.value_or(defaults.first)),
-          given.second.value_or(given.both.value_or(defaults.second)), given.scale_x,
-          given.scale_y};
-}
 
 /// Bytes stay bytes; more bits become floats.
 void load_codes(const CodedImage& image, BitmapTexture& t) {
@@ -54,13 +45,8 @@ void load_texels(const std::filesystem::path& path, const SourceLocation& where,
 }
 
 BitmapTexture read_bitmap(PropertyReader& p, Diagnostics& diagnostics) {
-  const auto given = read_parameters<TextmapParameters>(p);
-  BitmapTexture t;
-  t.factor = given.factor;
-  t.scale_x = given.scale_x;
-  t.scale_y = given.scale_y;
-  t.srgb = given.srgb;
-  const std::filesystem::path path = p.xml().path().parent_path() / given.filename;
+  auto t = read_parameters<BitmapTexture>(p);
+  const std::filesystem::path path = p.xml().path().parent_path() / t.filename;
   try {
     load_texels(path, p.location(), diagnostics, t);
   } catch (const InputError& e) {
@@ -72,7 +58,7 @@ BitmapTexture read_bitmap(PropertyReader& p, Diagnostics& diagnostics) {
 }  // namespace
 
 Texture read_texture(PropertyReader& properties, Diagnostics& diagnostics) {
-  if (properties.type() == "checker") return read_checker(properties);
+  if (properties.type() == "checker") return read_parameters<CheckerTexture>(properties);
   if (properties.type() == "textmap") return read_bitmap(properties, diagnostics);
   fail_unknown_type(properties, "texture");
 }

@@ -38,7 +38,7 @@ Color texel(const BitmapTexture& texture, std::size_t index) {
 
 Color mean(const Texture& texture) {
   if (const auto* checker = std::get_if<CheckerTexture>(&texture))
-    return (checker->first + checker->second) / 2.0F;
+    return (checker->even() + checker->odd()) / 2.0F;
   const auto& bitmap = std::get<BitmapTexture>(texture);
   dvec3 sum(0);
   for_each_texel(bitmap, [&](const Color& c) { sum += dvec3(c); });
@@ -49,7 +49,7 @@ Color mean(const Texture& texture) {
 float maximum(const Texture& texture) {
   Color most(0);
   if (const auto* checker = std::get_if<CheckerTexture>(&texture)) {
-    most = glm::max(checker->first, checker->second);
+    most = glm::max(checker->even(), checker->odd());
   } else {
     for_each_texel(std::get<BitmapTexture>(texture),
                    [&](const Color& c) { most = glm::max(most, c); });

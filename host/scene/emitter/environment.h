@@ -1,29 +1,9 @@
 #pragma once
-// What a scene file says of an emitter, where more than that becomes of it (scene.h); manuals in
-// shaders/emitter.
+// What a scene file says of an environment, of which an EnvironmentEmitter (scene.h) is made;
+// manual in shaders/emitter/environment.glsl.
 #include "scene/plugin/parameter.h"
 
 namespace facet {
-
-class PropertyReader;
-
-struct AreaParameters {
-  Textured<Color> radiance{Color(1)};
-  double scale = 1;
-
-  template <typename Self, typename Visitor>
-  static void declare(Self& p, Visitor& visit) {
-    visit("scale", p.scale, parameter::AtLeast{0}, "factor on the radiance");
-    visit("radiance", p.radiance, parameter::NonNegativeColor{.scale = p.scale},
-          "emitted radiance, W sr^-1 m^-2");
-  }
-  /// Throws InputError where the scale makes the radiance too large.
-  void check(const PropertyReader& properties) const;
-  /// Scale included; the factor on the texture where there is one.
-  [[nodiscard]] Color scaled_radiance() const {
-    return {dvec3(radiance.is_textured() ? Color(1) : radiance.value) * scale};
-  }
-};
 
 /// What the values of an environment's image stand for.
 enum class Encoding { msa, linear };
