@@ -73,8 +73,8 @@ template <typename Real>
 }
 
 /// The ray against boxes; inlined whatever else is in the unit, since traversal is little else.
-/// grown: boxes count as larger by this share of their size, distances as uncertain by the same
-/// share; rounding alone needs 16 ulps of the distances.
+/// grown: boxes count as larger by this share of their size. Rounding needs 16 ulps of the distances
+/// beside.
 template <typename Real>
 class BoxTest {
  public:
@@ -99,7 +99,7 @@ class BoxTest {
       near = std::max(near, std::min(a, b));
       far = std::min(far, std::max(a, b));
     }
-    return near <= far + std::abs(far) * (16 * std::numeric_limits<Real>::epsilon() + grown_);
+    return near <= far + std::abs(far) * (16 * std::numeric_limits<Real>::epsilon());
   }
 
  private:
@@ -127,7 +127,7 @@ void traverse(const Tree& tree, const Ray<Real>& ray, Real grown, const Visit& v
   stack[size++] = {0, near};
   while (size > 0) {
     const Entry entry = stack[--size];
-    if (entry.near > t_max * (1 + 16 * std::numeric_limits<Real>::epsilon() + grown)) continue;
+    if (entry.near > t_max * (1 + 16 * std::numeric_limits<Real>::epsilon())) continue;
     std::uint32_t index = entry.node;
     while (tree.nodes[index].count == 0) {
       const std::uint32_t left = index + 1;
