@@ -28,6 +28,7 @@ fetch_slurm() {
 }
 
 # Writes the cluster's settings, with ports that differ from call to call.
+# cred_expire is also how long a requeued job waits before it starts again.
 write_settings() {
   cat >"$work/cgroup.conf" <<END
 CgroupPlugin=cgroup/v1
@@ -40,7 +41,7 @@ SlurmdPort=$((port + 1))
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
-AuthInfo=socket=$work/munge.socket
+AuthInfo=socket=$work/munge.socket,cred_expire=10
 CredType=cred/munge
 PluginDir=$plugins
 StateSaveLocation=$work/state
@@ -54,6 +55,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
+SchedulerParameters=batch_sched_delay=0,sched_interval=1,bf_interval=1
 MpiDefault=none
 SwitchType=switch/none
 MailProg=/bin/true

@@ -43,11 +43,6 @@ while [ -n "$(squeue --noheader)" ]; do
     squeue >&2
     exit 1
   }
-  # Slurm lets two minutes pass before it starts a job again.
-  for job in $(squeue --noheader --array --states=PENDING --format='%i %r' |
-    awk '$2 == "BeginTime" { print $1 }'); do
-    scontrol update JobId="$job" StartTime=now 2>/dev/null || true
-  done
   sleep 0.5
 done
 for array in "$a_array" "$b_array"; do

@@ -60,7 +60,7 @@ class SlurmTest : public CliTest {
 TEST_F(SlurmTest, PartsThatWereKilledAndRequeuedAreTheWhole) {
   const std::string a = FACET_SCENES "/cbox/cbox_conductors_mis.xml";
   const std::string b = FACET_SCENES "/veach_mi/veach_mi_mis.xml";
-  const std::vector<std::string> options{"--resolution", "96x96", "--spp", "3200"};
+  const std::vector<std::string> options{"--resolution", "96x96", "--spp", "1600"};
   std::vector<std::string> words{
       "sh", FACET_KILL_AND_REQUEUE, FACET_FARM "/slurm/submit.sh", a, "a", b, "b"};
   words.insert(words.end(), options.begin(), options.end());

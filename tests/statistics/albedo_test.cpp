@@ -57,13 +57,13 @@ std::vector<Model> models(bsdf::Distribution d, float alpha) {
 Albedo measure(KernelBsdfEvaluator& kernels, const Bsdf& bsdf, float cosine) {
   const BsdfCase scale{bsdf, LobeSampling::visible, "", 0};
   const vec3 wo(std::sqrt((1 - cosine) * (1 + cosine)), 0, cosine);
-  const double crossing = std::pow(scale.index_at(-wo) / scale.index_at(wo), 2);
+  const double crossing =
+      scale.transmits() ? std::pow(scale.index_at(-wo) / scale.index_at(wo), 2) : 1;
   double sum = 0;
   double squares = 0;
   constexpr std::uint32_t samples = 1U << 17U;
   for (const statistics::BsdfDraw& d : kernels.sample(wo, samples, 77)) {
-    const double w =
-        static_cast<double>(d.weight.x) * (scale.transmits() && d.wi.z < 0 ? crossing : 1.0);
+    const double w = static_cast<double>(d.weight.x) * (d.wi.z < 0 ? crossing : 1.0);
     sum += w;
     squares += w * w;
   }

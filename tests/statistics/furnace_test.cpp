@@ -46,10 +46,10 @@ INSTANTIATE_TEST_SUITE_P(All, Furnace,
 /// not show it.
 TEST(Furnace, bright_walls_keep_their_light) {
   for (const char* integrator : {"path_ems", "path_mats", "path_mis"}) {
-    expect_mean(render(furnace(integrator, 0.99F), 4096).image,
+    expect_mean(render(furnace(integrator, 0.99F), 1024).image,
                 1 / (1 - static_cast<double>(0.99F)));
   }
-  expect_mean(render(furnace("path_mis", 0.999F), 512).image,
+  expect_mean(render(furnace("path_mis", 0.999F), 128).image,
               1 / (1 - static_cast<double>(0.999F)));
 }
 

@@ -31,7 +31,7 @@ void expect_silent_validation() {
 Rendered render(const PackedScene& packed) {
   Rendered result;
   {
-    Renderer renderer(device(), packed);
+    Renderer renderer(device(), packed, kernel_backend().kernels());
     renderer.render({});
     result.statistics = renderer.statistics();
     result.film = renderer.film();

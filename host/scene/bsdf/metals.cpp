@@ -122,9 +122,12 @@ std::optional<ConductorIor> find_metal(std::string_view name) {
   return found == spectra.end() ? std::nullopt : std::optional(averages(*found));
 }
 
-std::vector<std::string> metal_names() {
-  std::vector<std::string> names;
-  for (const MetalSpectrum& metal : spectra) names.emplace_back(metal.name);
+const std::vector<std::string>& metal_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const MetalSpectrum& metal : spectra) list.emplace_back(metal.name);
+    return list;
+  }();
   return names;
 }
 

@@ -39,6 +39,6 @@ struct MetalSpectrum {
 /// lies outside Rec. 709 at 1.006, the averages give 0.968).
 [[nodiscard]] std::optional<ConductorIor> find_metal(std::string_view name);
 
-[[nodiscard]] std::vector<std::string> metal_names();
+[[nodiscard]] const std::vector<std::string>& metal_names();
 
 }  // namespace facet

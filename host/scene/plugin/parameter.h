@@ -142,7 +142,7 @@ Choice(const Words&, std::uint32_t = 0) -> Choice<Words>;
 /// A word from a list, or none.
 struct WordOf {
   static constexpr const char* type = "string";
-  std::vector<std::string> words;
+  const std::vector<std::string>& words;
   [[nodiscard]] std::string range() const { return one_of(words); }
 };
 
