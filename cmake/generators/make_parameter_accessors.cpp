@@ -2,10 +2,13 @@
 // textures, from their declarations in host/scene. (Functions would be calls, which drivers take
 // their time to inline.)
 //     make_parameter_accessors OUT.glsl
-// The parameter intIOR of roughsubstrate is roughsubstrate_int_ior(b).
+// The parameter intIOR of roughsubstrate is roughsubstrate_int_ior(record).
 #include <cctype>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
+#include <string>
+#include <variant>
 
 #include "render/pack/record_layout.h"
 #include "scene/scene.h"
@@ -30,7 +33,6 @@ std::string snake_case(const std::string& name) {
 struct AccessorWriter {
   std::ostream& out;
   std::string plugin;
-  std::string argument;
 
   void vector(const char* name, facet::RecordPlace place, const facet::vec3& /*value*/,
               std::uint32_t /*texture*/) const {
@@ -38,26 +40,27 @@ struct AccessorWriter {
   }
   void number(const char* name, facet::RecordPlace place, float /*value*/,
               std::uint32_t /*texture*/) const {
-    write(name, row(place) + "." + "xyzw"[place.component]);
+    write(name, component(place));
   }
   void flag(std::uint32_t /*bit*/, bool /*is_set*/) const {}
+  void write(const std::string& name, const std::string& value) const {
+    out << "#define " << plugin << '_' << snake_case(name) << "(record) ((record)." << value
+        << ")\n";
+  }
+  static std::string component(facet::RecordPlace place) {
+    return row(place) + "." + "xyzw"[place.component];
+  }
 
  private:
   static std::string row(facet::RecordPlace place) { return {"abc"[place.row]}; }
-  void write(const char* name, const std::string& value) const {
-    out << "#define " << plugin << '_' << snake_case(name) << '(' << argument << ") ((" << argument
-        << ")." << value << ")\n";
-  }
 };
 
-/// argument: what the macros call the record.
 template <typename Type>
-void write_accessors(const facet::RecordShape& shape, const char* name, const char* argument,
-                     std::ostream& out) {
-  AccessorWriter writer{out, name, argument};
+void write_accessors(const facet::RecordShape& shape, const char* name, std::ostream& out) {
+  AccessorWriter writer{out, name};
   facet::RecordLayout<AccessorWriter> layout(shape, writer);
   const Type defaults{};
-  if constexpr (requires { Type::declare(defaults, layout); }) Type::declare(defaults, layout);
+  Type::declare(defaults, layout);
 }
 
 }  // namespace
@@ -68,18 +71,21 @@ int main(int argc, char** argv) {
     std::ofstream out(argv[1], std::ios::binary);
     out << "// The parameters of plugins, as host/scene declares them.\n"
            "#ifndef FACET_PARAMETERS_GLSL\n#define FACET_PARAMETERS_GLSL\n\n"
-           "/// Of every rough BSDF.\n#define bsdf_roughness(b) ((b).a.w)\n\n";
+           "/// Of every rough BSDF.\n";
+    AccessorWriter{out, "bsdf"}.write(
+        "roughness", AccessorWriter::component(facet::record_shape::bsdf.roughness.value()));
+    out << '\n';
 #define FACET_BSDF(name, Type, id) \
-  write_accessors<facet::bsdf::Type>(facet::record_shape::bsdf, #name, "b", out);
+  write_accessors<facet::bsdf::Type>(facet::record_shape::bsdf, #name, out);
     FACET_BSDF_LIST(FACET_BSDF)
 #undef FACET_BSDF
 #define FACET_EMITTER(name, id)                                                                 \
   write_accessors<std::variant_alternative_t<id, facet::Emitter>>(facet::record_shape::emitter, \
-                                                                  #name, "e", out);
+                                                                  #name, out);
     FACET_EMITTER_LIST(FACET_EMITTER)
 #undef FACET_EMITTER
 #define FACET_TEXTURE(name, Type) \
-  write_accessors<facet::Type>(facet::record_shape::texture, #name, "t", out);
+  write_accessors<facet::Type>(facet::record_shape::texture, #name, out);
     FACET_TEXTURE_LIST(FACET_TEXTURE)
 #undef FACET_TEXTURE
     out << "\n#endif\n";

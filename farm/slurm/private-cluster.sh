@@ -41,7 +41,7 @@ SlurmdPort=$((port + 1))
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
-AuthInfo=socket=$work/munge.socket,cred_expire=10
+AuthInfo=socket=$work/munge.socket,cred_expire=30
 CredType=cred/munge
 PluginDir=$plugins
 StateSaveLocation=$work/state

@@ -73,8 +73,8 @@ template <typename Real>
 }
 
 /// The ray against boxes; inlined whatever else is in the unit, since traversal is little else.
-/// grown: boxes count as larger by this share of their size. Rounding needs 16 ulps of the distances
-/// beside.
+/// grown: boxes count as larger by this share of their size. Rounding needs 16 ulps of the
+/// distances besides.
 template <typename Real>
 class BoxTest {
  public:

@@ -41,7 +41,7 @@ Features find_features(const Scene& scene, const RenderSettings& settings) {
   for (const Texture& texture : scene.textures) {
     f.texture_kinds |= 1U << texture.index();
     const auto* bitmap = std::get_if<BitmapTexture>(&texture);
-    if (bitmap != nullptr && !bitmap->colors.empty()) f.texture_kinds |= 4U;
+    if (bitmap != nullptr && !bitmap->colors.empty()) f.texture_kinds |= shared::TEXTURE_FLOATS;
   }
   for (const Emitter& emitter : scene.emitters) f.emitter_mask |= 1U << emitter.index();
   f.several_emitters = scene.emitters.size() > 1;
@@ -127,9 +127,11 @@ void Features::add_bsdf_choices(std::vector<std::string>& list) const {
   if (some(shared::BSDF_MULTISCATTER)) list.emplace_back("multiple scattering");
   if (some(shared::BSDF_DELTA)) list.emplace_back("delta lobes");
   if (some(shared::BSDF_TRANSMITS)) list.emplace_back("transmission");
-  if ((texture_kinds & 1U) != 0) list.emplace_back("texture checker");
-  if ((texture_kinds & 2U) != 0) list.emplace_back("texture textmap");
-  if ((texture_kinds & 4U) != 0) list.emplace_back("texture textmap of floats");
+  for (std::size_t i = 0; i < texture_type_names.size(); ++i) {
+    if ((texture_kinds & 1U << i) != 0)
+      list.push_back(fmt::format("texture {}", texture_type_names.at(i)));
+  }
+  if ((texture_kinds & shared::TEXTURE_FLOATS) != 0) list.emplace_back("texture textmap of floats");
 }
 
 Features Features::with_everything() const {

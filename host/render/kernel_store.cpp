@@ -27,7 +27,7 @@ std::shared_ptr<RenderProgram> KernelStore::find_or_make(const gpu::Device& devi
                                                          GeometryFetch fetch,
                                                          const Features& features,
                                                          std::uint32_t stack_size) {
-  const Key key{fetch, features.bounce_limit(), features.constants(stack_size)};
+  const Key key{fetch, features.integrator.interaction_limit(), features.constants(stack_size)};
   const auto found =
       std::ranges::find_if(entries_, [&](const Entry& entry) { return entry.key == key; });
   if (found != entries_.end()) {

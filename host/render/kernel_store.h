@@ -31,7 +31,7 @@ class KernelStore {
   /// All that kernels are specialised to.
   struct Key {
     GeometryFetch fetch;
-    std::uint32_t bounce_limit;
+    int interaction_limit;  ///< says which bounces are the first and the last
     std::array<std::uint32_t, shared::SPEC_COUNT> constants;
     bool operator==(const Key&) const = default;
   };

@@ -92,14 +92,21 @@ class Hash {
     std::visit([this](const auto& parameters) { add(parameters); }, bsdf);
   }
   void add(const AreaEmitter& emitter) {
-    add(emitter.mesh);
+    [[maybe_unused]] const auto& [mesh, radiance, scale] = emitter;
+    add(mesh);
     AreaEmitter::declare(emitter, *this);
   }
+  void add(const CheckerTexture& texture) {
+    [[maybe_unused]] const auto& [first, second, scale_x, scale_y, both] = texture;
+    CheckerTexture::declare(texture, *this);
+  }
   void add(const BitmapTexture& texture) {
-    add(texture.width);
-    add(texture.height);
-    add(texture.texels);
-    add(texture.colors);
+    [[maybe_unused]] const auto& [width, height, texels, srgb, factor, scale_x, scale_y, colors,
+                                  filename] = texture;
+    add(width);
+    add(height);
+    add(texels);
+    add(colors);
     BitmapTexture::declare(texture, *this);
   }
   void add(const EnvironmentEmitter& emitter) {

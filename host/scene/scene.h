@@ -84,6 +84,10 @@ struct EnvironmentEmitter {
   int width = 1;
   int height = 1;
   std::vector<Color> texels;
+
+  /// The kernels' record of it has no parameters: the texels hold them all.
+  template <typename Self, typename Visitor>
+  static void declare(Self& /*p*/, Visitor& /*visit*/) {}
 };
 
 /// Any emitter; the alternative's index is the id of the shared list.

@@ -7,16 +7,13 @@
 #include "records.glsl"
 #include "specialization.glsl"
 
-const uint TEXTURE_CHECKER = 1u;
-const uint TEXTURE_IMAGE = 2u;
-const uint TEXTURE_FLOATS = 4u;
-
 bool is_odd(float whole) { return whole - 2.0 * floor(whole * 0.5) == 1.0; }
 
 // Each axis by itself, since a sum of large numbers rounds.
 vec3 checker_value(TextureRecord t, vec2 uv) {
-  return is_odd(floor(uv.x * checker_scalex(t))) != is_odd(floor(uv.y * checker_scaley(t))) ? checker_odd(t)
-                                                                             : checker_even(t);
+  bool odd_column = is_odd(floor(uv.x * checker_scalex(t)));
+  bool odd_row = is_odd(floor(uv.y * checker_scaley(t)));
+  return odd_column != odd_row ? checker_odd(t) : checker_even(t);
 }
 
 /// What a byte of an image stands for.

@@ -44,5 +44,11 @@ FACET_CONSTANT uint SPEC_CANDIDATES = 24u;
 FACET_CONSTANT uint SPEC_SOLID_ANGLE = 25u;
 FACET_CONSTANT uint SPEC_COUNT = 26u;
 
+// Bits of SPEC_TEXTURE_KINDS: 1 << the type's place in FACET_TEXTURE_LIST
+// (host/scene/texture/texture.h), and whether some image has more than 8 bits a channel.
+FACET_CONSTANT uint TEXTURE_CHECKER = 1u;
+FACET_CONSTANT uint TEXTURE_IMAGE = 2u;
+FACET_CONSTANT uint TEXTURE_FLOATS = 1u << 31u;
+
 FACET_SHARED_END
 #endif

@@ -78,10 +78,8 @@ FACET_CONSTANT uint ALBEDO_BECKMANN_RATIONAL = 0u;
 FACET_CONSTANT uint ALBEDO_BECKMANN_EXACT = 1u;
 FACET_CONSTANT uint ALBEDO_GGX = 2u;
 
-// Parameters of BSDFs, emitters and textures. Where each lies in `a`, `b` and `c` follows from its
-// declaration in host/scene (host/render/pack/record_layout.h); shaders read them by macros named
-// after them (roughsubstrate_kd, area_radiance).
-
+// Where parameters lie in `a`, `b` and `c` follows from their declaration in host/scene
+// (host/render/pack/record_layout.h); shaders read them by macros (roughsubstrate_kd).
 /// A texture's value takes the place of the constant; NONE: none does.
 struct BsdfRecord {
   uint type;  // id of bsdf_list.h

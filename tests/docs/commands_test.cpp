@@ -16,7 +16,8 @@ struct ElsewhereCommand {
 };
 constexpr ElsewhereCommand elsewhere[] = {
     {"sh cmake/bootstrap.sh", "every run of CI"},
-    {"facet bench --growth", "tests/cli/bench_cli_test.cpp"},
+    {"facet bench --growth --quick", "tests/cli/bench_cli_test.cpp"},
+    {"facet bench --growth --html growth.html", "tests/cli/bench_cli_test.cpp"},
     {"facet selftest", "tests/cli/manual_cli_test.cpp"},
     {"sh cmake/second-driver.sh", "tests/parity/reproducible_test.cpp"},
     {"sh cmake/release.sh", "the test reproducible_packages, but for the tag"},

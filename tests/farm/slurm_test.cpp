@@ -65,7 +65,7 @@ TEST_F(SlurmTest, PartsThatWereKilledAndRequeuedAreTheWhole) {
       "sh", FACET_KILL_AND_REQUEUE, FACET_FARM "/slurm/submit.sh", a, "a", b, "b"};
   words.insert(words.end(), options.begin(), options.end());
   const Result result =
-      script(words, {std::string("FACET=") + FACET_PROGRAM, "FACET_CHECKPOINT_EVERY=0.2"});
+      script(words, {std::string("FACET=") + FACET_PROGRAM, "FACET_CHECKPOINT_EVERY=0.05"});
   ASSERT_EQ(result.code, 0) << result.out << result.err;
   fmt::print("{}", result.out);
   expect_words(result.out, {"preempted: part", "killed: part"});

@@ -134,8 +134,10 @@ Scene textured_screen(const Texture& texture, int size) {
   mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   mesh.texcoord_indices = {{0, 1, 2}, {0, 2, 3}};
   scene.textures.push_back(texture);
-  add_mesh(scene, mesh, bsdf::Diffuse{Color(0)}, Color(2));
-  std::get<AreaEmitter>(scene.emitters.front()).radiance.texture = 0;
+  add_mesh(scene, mesh, bsdf::Diffuse{Color(0)}, Color(1));
+  auto& emitter = std::get<AreaEmitter>(scene.emitters.front());
+  emitter.radiance.texture = 0;
+  emitter.scale = 2;
   set_camera(scene, size, 90, {0, 0, 1}, {0, 0, 0});
   return scene;
 }

@@ -91,6 +91,12 @@ const std::map<std::string, Change>& changes_that_matter() {
        [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).first = Color(0); }},
       {"checker's second",
        [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).second = Color(0); }},
+      {"checker's both",
+       [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).both = Color(0.5F); }},
+      {"bitmap's colours",
+       [](Scene& s) {
+         bitmap(s).colors = {Color(1), Color(2)};
+       }},
       {"checker's cells", [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).scale_x = 2; }},
       {"checker's rows", [](Scene& s) { std::get<CheckerTexture>(s.textures[0]).scale_y = 2; }},
       {"texel of a texture", [](Scene& s) { bitmap(s).texels[1] = 3; }},

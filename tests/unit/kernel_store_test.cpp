@@ -61,6 +61,25 @@ TEST(KernelStore, ForgetsWhatHasNotBeenAskedForTheLongest) {
   EXPECT_TRUE(dropped.expired());
 }
 
+/// Where emitters alone are sampled, depths 0 and 1 both end after one bounce, the first of them
+/// without light from elsewhere.
+TEST(KernelStore, KernelsOfOneDepthAreNotThoseOfAnother) {
+  KernelStore store;
+  for (const char* integrator : {"path_ems", "path_mis", "direct_ems", "whitted"}) {
+    for (const int depth : {0, 1, 2}) {
+      Scene scene = lit_floor();
+      set_integrator(scene, integrator);
+      scene.integrator.max_depth = depth;
+      const PackedScene packed = pack_scene(scene, whole_image(scene, 4));
+      Renderer with_store(device(), packed, store);
+      Renderer alone(device(), packed);
+      with_store.render({});
+      alone.render({});
+      EXPECT_TRUE(with_store.film().pixels == alone.film().pixels) << integrator << ' ' << depth;
+    }
+  }
+}
+
 TEST(KernelStore, ASecondRenderIsTheFirstAgain) {
   const auto scene = std::make_shared<const Scene>(lit_floor());
   KernelBackend& backend = kernel_backend();

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <vector>
+
 #include "render/pack/record_layout.h"
 
 namespace facet::test {
@@ -97,6 +100,13 @@ TEST(RecordLayout, fourth_components_stay_free_beside_vectors) {
   const std::vector<RecordPlace> expected{{0, 0}, {0, 3}, {1, 0}, {1, 3}};
   EXPECT_EQ(sink.places, expected);
   EXPECT_THROW(layout.derived("number", 1.0F), std::length_error);
+}
+
+TEST(RecordLayout, a_record_without_flags_takes_none) {
+  Anywhere sink;
+  RecordLayout<Anywhere> layout(record_shape::emitter, sink);
+  layout("decides nothing on the device", true, parameter::Switch{}, "");
+  EXPECT_THROW(layout("flag", true, parameter::Switch{4}, ""), std::length_error);
 }
 
 TEST(RecordLayout, only_the_first_rows_can_be_textured) {

@@ -25,15 +25,13 @@ struct RecordWriter {
   void flag(std::uint32_t bit, bool is_set) { flags |= is_set ? bit : 0; }
 };
 
-/// Of what declares no parameters (an environment: its image holds all of them), an empty record.
 template <typename Variant>
 RecordWriter written(const Variant& object, const RecordShape& shape) {
   RecordWriter writer;
   RecordLayout<RecordWriter> layout(shape, writer);
   std::visit(
       [&](const auto& parameters) {
-        if constexpr (requires { parameters.declare(parameters, layout); })
-          parameters.declare(parameters, layout);
+        parameters.declare(parameters, layout);
         if constexpr (requires { parameters.flags(); }) writer.flag(parameters.flags(), true);
       },
       object);

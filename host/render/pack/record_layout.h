@@ -2,11 +2,12 @@
 // Where each declared parameter (scene/plugin/parameter.h) lies in the record by which the kernels
 // read an object: rows of four floats, and the textures of some of them (shared/records.h).
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "scene/plugin/parameter.h"
 
@@ -27,6 +28,7 @@ struct RecordShape {
   std::size_t textured_rows;             ///< the first ones, whose vector a texture can give
   std::span<const RecordPlace> numbers;  ///< in the order in which numbers take them
   std::optional<RecordPlace> roughness;  ///< which a texture can give
+  bool has_flags;
 };
 
 namespace record_shape {
@@ -34,9 +36,10 @@ namespace record_shape {
 inline constexpr std::array<RecordPlace, 5> bsdf_numbers{{{2, 0}, {2, 1}, {2, 2}, {2, 3}, {1, 3}}};
 inline constexpr std::array<RecordPlace, 2> fourth_components{{{0, 3}, {1, 3}}};
 
-inline constexpr RecordShape bsdf{"shared::BsdfRecord", 3, 2, bsdf_numbers, RecordPlace{0, 3}};
-inline constexpr RecordShape emitter{"shared::EmitterRecord", 2, 1, fourth_components, {}};
-inline constexpr RecordShape texture{"shared::TextureRecord", 2, 0, fourth_components, {}};
+inline constexpr RecordShape bsdf{"shared::BsdfRecord", 3,   2, bsdf_numbers,
+                                  RecordPlace{0, 3},    true};
+inline constexpr RecordShape emitter{"shared::EmitterRecord", 2, 1, fourth_components, {}, false};
+inline constexpr RecordShape texture{"shared::TextureRecord", 2, 0, fourth_components, {}, false};
 
 }  // namespace record_shape
 
@@ -62,6 +65,10 @@ class RecordLayout {
                   const parameter::NonNegativeColor& kind, const char* /*meaning*/) {
     textured(name, kind.scaled(value));
   }
+  void operator()(const char* name, const Color& value, const parameter::NonNegativeColor& kind,
+                  const char* /*meaning*/) {
+    derived(name, kind.scaled(value).value);
+  }
   template <typename Kind>
   void operator()(const char* name, const vec3& value, const Kind& /*kind*/,
                   const char* /*meaning*/) {
@@ -86,11 +93,11 @@ class RecordLayout {
   template <typename Value, typename Words>
   void operator()(const char* /*name*/, const Value& value, const parameter::Choice<Words>& kind,
                   const char* /*meaning*/) {
-    sink_.flag(kind.flag, value != kind.words.front().value);
+    flag(kind.flag, value != kind.words.front().value);
   }
   void operator()(const char* /*name*/, bool value, const parameter::Switch& kind,
                   const char* /*meaning*/) {
-    sink_.flag(kind.flag, value);
+    flag(kind.flag, value);
   }
   /// The colour that it scales is read with it.
   void operator()(const char* /*name*/, double /*value*/, const parameter::Scale&,
@@ -109,6 +116,11 @@ class RecordLayout {
   void derived(const char* name, float value) { sink_.number(name, number_place(), value, none); }
 
  private:
+  /// bit: 0 where the value decides something else than the kernels' work.
+  void flag(std::uint32_t bit, bool is_set) {
+    if (bit != 0 && !shape_.has_flags) fail("a flag");
+    sink_.flag(bit, is_set);
+  }
   void textured(const char* name, const Textured<Color>& value) {
     sink_.vector(name, vector_place(shape_.textured_rows), value.value, value.texture);
   }
