@@ -30,7 +30,7 @@ std::string metadata(const Image& image, const std::string& name) {
 void expect_equal_bits(const Image& a, const Image& b) {
   ASSERT_EQ(a.channels(), b.channels());
   ASSERT_EQ(a.channels().size(), 8U);
-  const auto count = static_cast<std::size_t>(width * height);
+  const auto count = std::size_t{width} * std::size_t{height};
   for (int c = 0; c < 8; ++c) {
     std::size_t different = 0;
     std::size_t nonzero = 0;
@@ -136,7 +136,7 @@ void expect_sum(const Film& whole, const Film& a, const Film& b, const Crop& cro
   int different = 0;
   for (int y = crop.y0; y < crop.y1; ++y) {
     for (int x = crop.x0; x < crop.x1; ++x, ++i) {
-      const PixelSums& all = whole.pixels[static_cast<std::size_t>(y * width + x)];
+      const PixelSums& all = whole.pixels[whole.index(x, y)];
       ASSERT_EQ(all.samples, a.pixels[i].samples + b.pixels[i].samples);
       ASSERT_EQ(all.nonzero, a.pixels[i].nonzero + b.pixels[i].nonzero);
       for (std::size_t c = 0; c < 3; ++c) {
