@@ -179,8 +179,8 @@ case $command in
       say "the test of array jobs will be skipped"
     cd "$root/build/release"
     [ $# -gt 0 ] || set -- -LE slow
-    # Tests wait for their driver half of the time.
-    CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+    # Some wait for others: for Slurm, or for a render that they have started.
+    CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(($(nproc) + 1))}
     export CTEST_PARALLEL_LEVEL
     exec ctest --output-on-failure "$@"
     ;;
