@@ -1,5 +1,5 @@
 // Build tool: decorates every float operation of the compiled kernels with NoContraction, the state
-// of paths with Aliased, simplifies them, and embeds the result in a C++ file.
+// of paths with Aliased, simplifies them, inlines functions, and embeds the result in a C++ file.
 //     embed_kernels OUT.cpp NAME=IN.spv=OUT.spv...
 // A kernel's names are KERNEL_texel and KERNEL_storage, or KERNEL_any where it sees no geometry.
 // Without the decoration drivers reassociate and fuse float operations, each in its own way, and
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "gpu/spirv_module.h"
+#include "inline_functions.h"
 #include "shared/bindings.h"
 
 namespace {
@@ -194,8 +195,8 @@ void run(int argc, char** argv) {
     if (first == std::string::npos || first == second)
       throw std::runtime_error("bad argument " + argument);
     const std::string name = argument.substr(0, first);
-    const Words words =
-        simplify(decorate(read_words(argument.substr(first + 1, second - first - 1))));
+    const Words decorated = decorate(read_words(argument.substr(first + 1, second - first - 1)));
+    const Words words = simplify(facet::inline_functions(simplify(decorated)));
     write_words(argument.substr(second + 1), words);
     write_array(out, name, words);
     names.push_back(name);

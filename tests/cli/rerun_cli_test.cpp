@@ -59,15 +59,16 @@ class RerunCliTest : public CliTest {
     return words;
   }
 
-  /// What the first pixel of a comparison with a black image says, and what its command prints.
+  /// What the first pixels of a comparison with a black image say, and what their commands print.
   void expect_same_value(const std::string& image) {
     Image black(12, 10, {"R", "G", "B"});
     write_exr(folder_.file("black.exr"), black);
     const Result compared = run({"compare", image, "black.exr", "--json", "-"});
     ASSERT_EQ(compared.code, 0) << compared.err;
     const nlohmann::json worst = nlohmann::json::parse(compared.out)["worst"];
-    ASSERT_FALSE(worst.empty());
-    for (const nlohmann::json& w : worst) expect_pixel(w["image_command"], w["pixel"], w["image"]);
+    ASSERT_GE(worst.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i)
+      expect_pixel(worst[i]["image_command"], worst[i]["pixel"], worst[i]["image"]);
   }
 
   void expect_pixel(std::string command, const nlohmann::json& pixel,
