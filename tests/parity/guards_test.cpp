@@ -64,7 +64,7 @@ TEST(Guards, the_uniform_hemisphere_gives_the_same_image) {
     for (const std::string& integrator : integrators) {
       Scene scene = ball_scene(bsdf, integrator);
       scene.integrator.max_depth = 3;
-      RenderSettings uniform = whole_image(scene, 2048);
+      RenderSettings uniform = whole_image(scene, 1024);
       uniform.sampling = LobeSampling::uniform;
       uniform.seed = 5;
       const Image expected = reference_image(scene, uniform);

@@ -33,7 +33,7 @@ void expect_agreement(const Image& a, const Image& b, const std::string& what) {
 }
 
 /// Samples with which every cell holds enough contributions of the rarest kind.
-int samples_for(const std::string& scene) { return scene.starts_with("veach") ? 4096 : 1024; }
+int samples_for(const std::string& scene) { return scene.starts_with("veach") ? 2048 : 512; }
 
 /// BSDF samples find the small sun of that sky once in thousands, and the rest of the sky hides
 /// from the test of means how few those are, most of all in pixels that see the sky. Here each
@@ -79,7 +79,7 @@ TEST_P(Estimators, of_direct_light_agree) {
   expect_agreement(ems, mats, "ems, mats");
   expect_agreement(ems, mis, "ems, mis");
   expect_agreement(mats, mis, "mats, mis");
-  const Image ndf = estimate(scene, "direct_mis", 4, spp, LobeSampling::ndf);
+  const Image ndf = estimate(scene, "direct_mis", 4, spp / 4, LobeSampling::ndf);
   expect_agreement(mis, ndf, "visible, ndf");
 }
 
@@ -89,7 +89,7 @@ TEST_P(Estimators, of_all_light_agree) {
   const int concentration = concentration_of(GetParam());
   widen_sun(scene);
   shrink(scene, 32 / concentration);
-  const int spp = 1024 * concentration * concentration;
+  const int spp = 512 * concentration * concentration;
   const Image ems = estimate(scene, "path_ems", 1, spp);
   const Image mats = estimate(scene, "path_mats", 2, spp);
   const Image mis = estimate(scene, "path_mis", 3, spp);
@@ -176,9 +176,9 @@ TEST(EstimatorChoices, points_by_solid_angle_keep_the_expectation) {
     for (const EmitterSelection selection :
          {EmitterSelection::contribution, EmitterSelection::power}) {
       scene.integrator.area_sampling = AreaSampling::area;
-      const Image area = estimate(scene, integrator, 1, 2048, LobeSampling::visible, selection);
+      const Image area = estimate(scene, integrator, 1, 1024, LobeSampling::visible, selection);
       scene.integrator.area_sampling = AreaSampling::solid_angle;
-      expect_agreement(area, estimate(scene, integrator, 2, 2048, LobeSampling::visible, selection),
+      expect_agreement(area, estimate(scene, integrator, 2, 1024, LobeSampling::visible, selection),
                        fmt::format("{}, by solid angle", integrator));
     }
   }
@@ -223,10 +223,10 @@ TEST(EstimatorChoices, all_kinds_of_emitters_by_what_they_contribute) {
   add_mesh(scene, lamp, bsdf::Diffuse{}, Color(6, 5, 4));
   scene.emitters.emplace_back(PointLight{{-1, 1.5F, -1}, Color(0.7F)});
   set_camera(scene, 24, 50, {-2, 2, -2}, {0, 0.3, 0});
-  const Image mis = estimate(scene, "path_mis", 1, 2048);
-  expect_agreement(mis, estimate(scene, "path_ems", 2, 2048), "mis, ems");
+  const Image mis = estimate(scene, "path_mis", 1, 1024);
+  expect_agreement(mis, estimate(scene, "path_ems", 2, 1024), "mis, ems");
   for (const EmitterSelection selection : {EmitterSelection::power, EmitterSelection::uniform})
-    expect_agreement(mis, estimate(scene, "path_mis", 3, 2048, LobeSampling::visible, selection),
+    expect_agreement(mis, estimate(scene, "path_mis", 3, 1024, LobeSampling::visible, selection),
                      "contribution, " + word_of(emitter_selection_words, selection));
 }
 
@@ -234,9 +234,9 @@ TEST(EstimatorChoices, all_kinds_of_emitters_by_what_they_contribute) {
 TEST(EstimatorChoices, z_test_sees_a_dimmer_light) {
   Scene scene = load_scene("cbox/cbox_conductors_mis.xml");
   shrink(scene, 48);
-  const Image usual = estimate(scene, "direct_mis", 1, 1024);
+  const Image usual = estimate(scene, "direct_mis", 1, 512);
   for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance.value *= 0.95F;
-  EXPECT_FALSE(z_test(usual, estimate(scene, "direct_mis", 2, 1024), significance).passed());
+  EXPECT_FALSE(z_test(usual, estimate(scene, "direct_mis", 2, 512), significance).passed());
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "render/features.h"
+
 namespace facet::test {
 
 parity::ParityReport compare_with_reference(const Scene& scene, const RenderSettings& settings) {
@@ -30,6 +32,13 @@ void expect_parity(const Scene& scene, const RenderSettings& settings) {
   for (std::size_t i = 0; i < std::min<std::size_t>(3, report.suspects.size()); ++i)
     ADD_FAILURE() << "suspect: " << report.suspects[i].part << ", score "
                   << report.suspects[i].score;
+}
+
+bool samples_half_vectors(const Scene& scene) {
+  const Features features = find_features(scene, whole_image(scene, 1));
+  const Integrator& integrator = features.integrator;
+  return features.rough_bsdfs &&
+         (integrator.type.material_sampling || integrator.interaction_limit() != 1);
 }
 
 std::vector<std::string> shipped_scenes() {

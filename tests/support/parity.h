@@ -13,6 +13,9 @@ namespace facet::test {
 /// Expects parity, and says what does not hold.
 void expect_parity(const Scene& scene, const RenderSettings& settings);
 
+/// Whether some half vector is sampled, so that it matters how.
+[[nodiscard]] bool samples_half_vectors(const Scene& scene);
+
 /// Shipped scenes: "cbox/cbox_mis.xml", ..., sorted.
 [[nodiscard]] std::vector<std::string> shipped_scenes();
 

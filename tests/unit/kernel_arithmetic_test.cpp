@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -25,6 +26,7 @@ constexpr std::uint32_t op_type_float = 22;
 constexpr std::uint32_t op_type_vector = 23;
 constexpr std::uint32_t op_type_matrix = 24;
 constexpr std::uint32_t op_constant = 43;
+constexpr std::uint32_t op_function_call = 57;
 constexpr std::uint32_t op_decorate = 71;
 constexpr std::uint32_t decoration_no_contraction = 42;
 
@@ -122,6 +124,16 @@ TEST(KernelArithmetic, what_a_scene_lacks_is_gone_from_its_kernels) {
   // Two hundredths above what was measured.
   EXPECT_LE(least, 3084U);
   EXPECT_LE(most, 11954U);
+}
+
+TEST(KernelArithmetic, functions_that_are_called_once_are_inlined) {
+  for_each_kernel([](const std::string& kernel, Operands words) {
+    std::map<std::uint32_t, int> calls;
+    for_each_instruction(words, [&](std::uint32_t opcode, Operands o) {
+      if (opcode == op_function_call) ++calls[o[2]];
+    });
+    for (const auto& [function, count] : calls) EXPECT_GT(count, 1) << kernel << ": " << function;
+  });
 }
 
 TEST(KernelArithmetic, float_constants_stand_in_the_source) {
