@@ -1,5 +1,4 @@
 // Guards against what the two renderers could share: numbers, and a density that is wrong in both.
-#include "compare/z_test.h"
 #include "statistics/hypothesis.h"
 #include "support/parity.h"
 #include "support/scenes.h"
@@ -32,9 +31,8 @@ TEST_P(Seeds, kernels_and_reference_agree_under_different_seeds) {
   RenderSettings settings = whole_image(scene, direct || smooth ? 256 : 64);
   const Image kernels = render(scene, settings).image;
   settings.seed = 77;
-  const ZTestResult result = z_test(kernels, reference_image(scene, settings),
-                                    share_of_significance(shipped_scenes().size()));
-  EXPECT_TRUE(result.passed()) << result.describe();
+  expect_agreement(kernels, reference_image(scene, settings),
+                   share_of_significance(shipped_scenes().size()), GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Guards, Seeds, ::testing::ValuesIn(shipped_scenes()), test_name);
@@ -71,9 +69,8 @@ TEST(Guards, the_uniform_hemisphere_gives_the_same_image) {
       for (const LobeSampling sampling : {LobeSampling::visible, LobeSampling::ndf}) {
         RenderSettings settings = whole_image(scene, 256);
         settings.sampling = sampling;
-        const ZTestResult result = z_test(render(scene, settings).image, expected, share);
-        EXPECT_TRUE(result.passed())
-            << integrator << ", BSDF of type " << bsdf.index() << ": " << result.describe();
+        expect_agreement(render(scene, settings).image, expected, share,
+                         fmt::format("{}, BSDF of type {}", integrator, bsdf.index()));
       }
     }
   }

@@ -7,8 +7,8 @@
 namespace facet::test {
 namespace {
 
-/// Each comparison corrects for its cells; this is shared among the comparisons of this file.
-constexpr double significance = 0.01 / 36;
+/// Of one of the 50 comparisons of this file.
+constexpr double significance = 0.01 / 50;
 
 /// Shrinks the image, keeping its shape.
 void shrink(Scene& scene, int width) {
@@ -28,8 +28,7 @@ Image estimate(Scene scene, const std::string& integrator, std::uint32_t seed, i
 }
 
 void expect_agreement(const Image& a, const Image& b, const std::string& what) {
-  const ZTestResult result = z_test(a, b, significance);
-  EXPECT_TRUE(result.passed()) << what << ": " << result.describe();
+  test::expect_agreement(a, b, significance, what);
 }
 
 /// Samples with which every cell holds enough contributions of the rarest kind.

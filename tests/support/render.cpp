@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compare/z_test.h"
 #include "reference/reference_backend.h"
 #include "scene/reader.h"
 #include "statistics/hypothesis.h"
@@ -84,6 +85,16 @@ void expect_mean(const Image& image, const Color& expected, double critical) {
 double critical_distance(int tests) {
   return statistics::two_sided_normal_quantile(
       statistics::sidak_significance(0.01, static_cast<std::uint64_t>(tests)));
+}
+
+void expect_agreement(const Image& a, const Image& b, double significance,
+                      const std::string& what) {
+  const double share = statistics::sidak_significance(significance, 2);
+  const ZTestResult small = z_test(a, b, share);
+  EXPECT_TRUE(small.passed()) << what << ": " << small.describe();
+  // Some of so few may have rare bright samples, and cannot be tested.
+  const ZTestResult large = z_test(a, b, share, {.least = largest_cell});
+  EXPECT_LE(large.largest_z, large.critical_z) << what << ": " << large.describe();
 }
 
 Scene load_scene(const std::string& name) {
