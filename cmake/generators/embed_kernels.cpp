@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <spirv-tools/optimizer.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "gpu/spirv_module.h"
 #include "inline_functions.h"
 #include "shared/bindings.h"
+#include "spirv_passes.h"
 
 namespace {
 
@@ -120,25 +120,16 @@ Words decorate(const Words& in) {
 /// Turns variables into values and equal values into one, as far as can be done before
 /// specialization, which follows values alone. What is done here need not be done at each start.
 Words simplify(const Words& in) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  optimizer.RegisterPass(spvtools::CreateScalarReplacementPass(100))
-      .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
-      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
-      .RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
-      .RegisterPass(spvtools::CreateAggressiveDCEPass())
-      .RegisterPass(spvtools::CreateRedundancyEliminationPass())
-      .RegisterPass(spvtools::CreateBlockMergePass())
-      .RegisterPass(spvtools::CreateAggressiveDCEPass());
-  optimizer.SetMessageConsumer(
-      [](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-        std::fprintf(stderr, "embed_kernels: %s\n", message);
-      });
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);
-  Words out;
-  if (!optimizer.Run(in.data(), in.size(), &out, options))
-    throw std::runtime_error("cannot be simplified");
-  return out;
+  return facet::run_passes(in, "cannot be simplified", [](spvtools::Optimizer& optimizer) {
+    optimizer.RegisterPass(spvtools::CreateScalarReplacementPass(100))
+        .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+        .RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass())
+        .RegisterPass(spvtools::CreateRedundancyEliminationPass())
+        .RegisterPass(spvtools::CreateBlockMergePass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass());
+  });
 }
 
 void write_words(const std::string& path, const Words& words) {
@@ -196,6 +187,8 @@ void run(int argc, char** argv) {
       throw std::runtime_error("bad argument " + argument);
     const std::string name = argument.substr(0, first);
     const Words decorated = decorate(read_words(argument.substr(first + 1, second - first - 1)));
+    // Simplified before, since length decides what is inlined, and after, since parameters of what
+    // is inlined are variables.
     const Words words = simplify(facet::inline_functions(simplify(decorated)));
     write_words(argument.substr(second + 1), words);
     write_array(out, name, words);

@@ -1,11 +1,9 @@
 #include "inline_functions.h"
 
-#include <cstdio>
 #include <map>
-#include <spirv-tools/optimizer.hpp>
-#include <stdexcept>
 
 #include "gpu/spirv_module.h"
+#include "spirv_passes.h"
 
 namespace facet {
 
@@ -13,7 +11,8 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-/// Words that the further copies of one function may have together.
+/// Words that the further copies of one function may have together, without the functions that it
+/// calls, which have their own share.
 constexpr std::size_t most_words_of_copies = 500;
 
 struct Function {
@@ -42,6 +41,12 @@ class Functions {
     }
     if (!functions_.contains(entry_)) throw std::runtime_error("a kernel without entry point");
     put_in_order(entry_);
+  }
+
+  /// Removes all marks, which are no advice for drivers.
+  void unmark(Words& module) const {
+    for (const auto& [id, f] : functions_)
+      module[f.control] &= ~static_cast<std::uint32_t>(spv::FunctionControlDontInlineMask);
   }
 
   /// Marks those that are to stay functions.
@@ -76,23 +81,16 @@ class Functions {
 }  // namespace
 
 std::vector<std::uint32_t> inline_functions(const std::vector<std::uint32_t>& module) {
-  Words marked = module;
-  Functions(module).mark_long_ones(marked);
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  // Only functions that return at their ends are inlined.
-  optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
-      .RegisterPass(spvtools::CreateInlineExhaustivePass())
-      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
-  optimizer.SetMessageConsumer(
-      [](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-        std::fprintf(stderr, "inline_functions: %s\n", message);
-      });
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);
-  Words out;
-  if (!optimizer.Run(marked.data(), marked.size(), &out, options))
-    throw std::runtime_error("functions cannot be inlined");
-  return out;
+  Words words = module;
+  Functions(words).mark_long_ones(words);
+  words = run_passes(words, "functions cannot be inlined", [](spvtools::Optimizer& optimizer) {
+    // Only functions that return at their ends are inlined.
+    optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
+        .RegisterPass(spvtools::CreateInlineExhaustivePass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+  });
+  Functions(words).unmark(words);
+  return words;
 }
 
 }  // namespace facet

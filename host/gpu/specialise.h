@@ -13,8 +13,9 @@ namespace facet::gpu {
 /// what it was. Throws DeviceError where the code is none or of an unexpected form, and trusts it
 /// to be valid otherwise; `name` is for that message.
 ///
-/// Conditions are followed within functions, through values but not through variables:
-/// cmake/generators/embed_kernels.cpp turns the ones into the others where it can.
+/// Conditions are followed within functions, through values but not through variables: the build
+/// turns the ones into the others where it can, and inlines functions whose parameters are in the
+/// way (cmake/generators/embed_kernels.cpp).
 [[nodiscard]] std::vector<std::uint32_t> specialise(std::span<const std::uint32_t> code,
                                                     std::span<const std::uint32_t> constants,
                                                     const std::string& name);

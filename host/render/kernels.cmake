@@ -1,6 +1,6 @@
 # Compiles shaders/kernels/*.comp to SPIR-V, twice where they fetch geometry (from texel and from
-# storage buffers), decorates and checks them, and makes the source file that embeds them. Depfiles
-# make every #include count.
+# storage buffers), decorates, simplifies and checks them, and makes the source file that embeds
+# them. Depfiles make every #include count.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 

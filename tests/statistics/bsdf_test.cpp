@@ -1,5 +1,5 @@
 // Every BSDF of the shared list, on the kernels: what they sample has the density that they say,
-// and gains no energy. With FACET_FULL_GRID in the environment, seen from every direction, and by
+// and gains no energy. With FACET_FULL_GRID in the environment, seen from every direction, and with
 // twice the samples.
 #include <cmath>
 

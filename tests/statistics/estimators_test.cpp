@@ -78,7 +78,7 @@ TEST_P(Estimators, of_direct_light_agree) {
   expect_agreement(ems, mats, "ems, mats");
   expect_agreement(ems, mis, "ems, mis");
   expect_agreement(mats, mis, "mats, mis");
-  const Image ndf = estimate(scene, "direct_mis", 4, spp / 4, LobeSampling::ndf);
+  const Image ndf = estimate(scene, "direct_mis", 4, spp / 2, LobeSampling::ndf);
   expect_agreement(mis, ndf, "visible, ndf");
 }
 
@@ -229,13 +229,25 @@ TEST(EstimatorChoices, all_kinds_of_emitters_by_what_they_contribute) {
                      "contribution, " + word_of(emitter_selection_words, selection));
 }
 
-/// The test itself: it must see a difference of a few standard errors in one image.
-TEST(EstimatorChoices, z_test_sees_a_dimmer_light) {
+/// The test itself: it must see a difference of a few standard errors in many pixels together, and
+/// one of two pixels.
+TEST(EstimatorChoices, a_dimmer_light_is_seen) {
   Scene scene = load_scene("cbox/cbox_conductors_mis.xml");
   shrink(scene, 48);
   const Image usual = estimate(scene, "direct_mis", 1, 512);
-  for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance.value *= 0.95F;
-  EXPECT_FALSE(z_test(usual, estimate(scene, "direct_mis", 2, 512), significance).passed());
+  for (Emitter& e : scene.emitters) std::get<AreaEmitter>(e).radiance.value *= 0.99F;
+  const Image dimmer = estimate(scene, "direct_mis", 2, 512);
+  std::string description;
+  EXPECT_FALSE(agree(usual, dimmer, significance, description)) << description;
+  EXPECT_TRUE(z_test(usual, dimmer, significance).passed()) << "no need of large cells";
+
+  Image spotted = usual;
+  const int pixel = 20 * usual.width() + 24;
+  for (int c = 0; c < 3; ++c) {
+    spotted.plane(c)[pixel] *= 1.5F;
+    spotted.plane(c)[pixel + 1] *= 1.5F;
+  }
+  EXPECT_FALSE(agree(usual, spotted, significance, description)) << description;
 }
 
 }  // namespace

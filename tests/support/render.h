@@ -57,9 +57,12 @@ void expect_mean(const Image& image, const Color& expected, double critical);
 /// together with probability 0.01.
 [[nodiscard]] double critical_distance(int tests);
 
-/// Expects two images to estimate the same light, in the smallest cells, which show what is wrong
-/// in a few pixels, and in the largest, which show small differences of many. Right ones fail with
-/// probability `significance`.
+/// Whether two images estimate the same light, in the smallest cells, which show what is wrong in a
+/// few pixels, and in the largest, which show small differences of many. Right ones do not with
+/// probability `significance`, about. The description says what was found.
+[[nodiscard]] bool agree(const Image& a, const Image& b, double significance,
+                         std::string& description);
+/// Expects that they do.
 void expect_agreement(const Image& a, const Image& b, double significance, const std::string& what);
 
 /// A shipped scene.
