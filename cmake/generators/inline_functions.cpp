@@ -1,6 +1,7 @@
 #include "inline_functions.h"
 
 #include <map>
+#include <stdexcept>
 
 #include "gpu/spirv_module.h"
 #include "spirv_passes.h"
